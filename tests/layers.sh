@@ -20,7 +20,7 @@ rooms=(
   analysis/measure analysis/tables
   packing/generate packing/container packing/expand
   calibration calibration/output
-  gws/solution gws/identification gws/design gws/output
+  gws/laboratory gws/solution gws/identification gws/design gws/output
   fem/mesh fem/material fem/model fem/run
 )
 largest=2500 # lines of sources and headers in one room

@@ -180,3 +180,37 @@ TABLE
   done < <(questions)
   [[ $count -ge 30 ]] || show "$count questions"
 }
+
+# STATUS ; words on standard error, none for a table that is right ; awk program that changes columns 1 to 3 (strains in %, q in kPa) or the head
+tables_of_tests() {
+  cat <<'TABLE'
+0;;
+65;t.tsv: is an undrained test by its pore_pressure, at rising or falling pore pressure: give a drained one;n == 1 { $4 = "pore_pressure [kPa]" } n > 1 { $4 = -0.3 * $3 }
+65;t.tsv: the volumetric strain is 0 in all rows, as in an undrained test: give a drained one;n > 1 { $2 = 0 }
+65;t.tsv: row 30: volumetric strain falls to nothing at an axial strain of 6.18 %, where rows beside it do not: leave out rows without a value;n == 31 { $2 = 0 }
+65;t.tsv: row 30: deviatoric_stress falls to nothing at an axial strain of 6.18 %;n == 31 { $3 = 0 }
+65;t.tsv: row 30: the volumetric strain is -9.162 % at an axial strain of 6.18 %, more than a drained test has;n == 31 { $2 = -9.162 }
+65;t.tsv: axial over radial stress never exceeds 1.004: check the unit of deviatoric_stress and pressure;n > 1 { $3 /= 1000 }
+0;doubt: t.tsv: the volume expands first and contracts then;n > 1 { $2 = -$2 }
+0;doubt: t.tsv: deviatoric_stress of row 30, at an axial strain of 6.18 %, lies far from the rows beside it;n == 31 { $3 *= 1.5 }
+0;doubt: t.tsv: the volumetric strain of row 30, at an axial strain of 6.18 %, lies far from the rows beside it;n == 31 { $2 += 2.2 }
+0;doubt: t.tsv: the volumetric strain stays below 0.1 % up to an axial strain of 23.8 %, as in an undrained test, or with fractions;n > 1 { $2 /= 100 }
+0;doubt: t.tsv: the axial strain is 1 % in row 1, where axial over radial stress is still 1.02: strains count from;n > 1 { $1 += 1 }
+0;doubt: t.tsv: axial_strain has no unit and is taken for a fraction;n == 1 { $1 = "axial_strain" } n > 1 { $1 /= 100 }
+0;doubt: t.tsv: the column axial_stress is not read;n == 1 { $4 = "axial_stress [kPa]" } n > 1 { $4 = $3 + 100 }
+0;doubt: t.tsv: its friction angle is 57.1 deg, where granular soils have 22 to 55;n > 1 { $3 *= 2.82 }
+0;doubt: E50 is 3.14 MPa under 100 kPa, where Toyoura sand has 36.1 MPa: check its unit;n > 1 { $1 *= 3; $3 /= 3 }
+TABLE
+}
+
+@test "a triaxial table that no drained test gives is refused by its row, and an unusual one is a doubt" {
+  local wanted words change
+  printf 'name = "x"\n[estimate]\ntriaxial = "t.tsv"\npressure = "100 kPa"\nvoid_ratio = 0.758\n' > x.toml
+  while IFS=';' read -r wanted words change; do
+    grep -v '^#' "$BATS_TEST_DIRNAME/../../data/own/example/drained_100kPa.tsv" | cut -f 1-3 |
+      awk -F '\t' -v OFS='\t' "{ n = NR } $change { print }" > t.tsv
+    exits "$wanted" gws-solve respond --soil x.toml --geotextile PP
+    [[ $stderr == *"$words"* ]] || show "wanted: $words"
+    [[ -n $words || $stderr != *t.tsv* && $stderr != *E50\ is* ]] || show "the table is right"
+  done < <(tables_of_tests)
+}

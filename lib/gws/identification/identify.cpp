@@ -262,7 +262,7 @@ Identification identify(const std::vector<BagSeries>& given, const SoilFile& soi
 std::vector<Doubt> doubts(const Identification& found, const std::vector<std::string>& assignments) {
   std::vector<Doubt> all = not_identified(found, assignments), exact = unscattered(found.soil),
                      weak = hardly_determined(found.lines), large = out_of_proportion(found);
-  for (const std::vector<Doubt>& more : {exact, weak, large, found.of_points})
+  for (const std::vector<Doubt>& more : {exact, weak, large, found.of_points, found.soil.doubts})
     all.insert(all.end(), more.begin(), more.end());
   return all;
 }

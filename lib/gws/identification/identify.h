@@ -50,8 +50,8 @@ Identification identify(const std::vector<BagSeries>& series, const SoilFile& so
 /// Returns the doubts by name. "not-identified": lines keep the constants of the soil that identification began with.
 /// "exact-fit": a line has as many points as constants. "hardly-determined": a 95 % interval leaves the range of its
 /// constant, or R2 is below 0.5. "out-of-proportion": C_t is more than ten times off the given soil's, or p_c more than
-/// a thousand times beyond the mean stresses at failure. Those of the points follow. assignments: constants that the
-/// user gave, as "failure_line.n=0"; their lines do not count as kept.
+/// a thousand times beyond the mean stresses at failure. Those of the points and of the given soil's test follow.
+/// assignments: constants that the user gave, as "failure_line.n=0"; their lines do not count as kept.
 std::vector<Doubt> doubts(const Identification& found, const std::vector<std::string>& assignments);
 
 }  // namespace soilweave::gws

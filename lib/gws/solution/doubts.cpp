@@ -62,6 +62,7 @@ std::vector<Doubt> doubts(const SoilFile& soil, bool chosen, const Case& asked, 
         {"estimated-soil", fmt::format("soil {}: {}; beta, n, m, xi, Poisson's ratio and the dilatancy line are "
                                        "Toyoura sand's; identify them on bags of its own (gws-solve identify)",
                                        soil.name, soil.estimated)});
+  found.insert(found.end(), soil.doubts.begin(), soil.doubts.end());
   const Identified& range = soil.identified;
   if (soil.estimated.empty() && !(range.stiffness.known() && range.mean_stress.known() && range.axial_strain.known()))
     found.push_back({"unknown-range",

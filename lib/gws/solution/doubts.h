@@ -10,12 +10,12 @@
 namespace soilweave::gws {
 
 /// Returns the doubts by name. "default-soil": the soil was not `chosen`. "estimated-soil": no bags of it were
-/// computed. "exact-fit": see unscattered(). "unknown-range": the soil file lacks the ranges of the data that it was
-/// identified on. "extrapolation": a stiffness (N/m), mean stress or axial strain leaves the range of the soil's data.
-/// "untested": the bag's shape or the lateral stress of `asked` leaves the range of the discrete-element runs.
-/// "compressed": in the last state the lateral stress outside exceeds the soil's, which only a geotextile under
-/// compression could balance. "history-end": the history of the lateral stress ends below the last surcharge. States
-/// that do not exist are skipped.
+/// computed; those of the test that they were estimated from follow (estimate.h). "exact-fit": see unscattered().
+/// "unknown-range": the soil file lacks the ranges of the data that it was identified on. "extrapolation": a stiffness
+/// (N/m), mean stress or axial strain leaves the range of the soil's data. "untested": the bag's shape or the lateral
+/// stress of `asked` leaves the range of the discrete-element runs. "compressed": in the last state the lateral stress
+/// outside exceeds the soil's, which only a geotextile under compression could balance. "history-end": the history of
+/// the lateral stress ends below the last surcharge. States that do not exist are skipped.
 std::vector<Doubt> doubts(const SoilFile& soil, bool chosen, const Case& asked, const std::vector<double>& stiffnesses,
                           const std::vector<Point>& states);
 

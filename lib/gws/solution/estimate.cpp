@@ -6,15 +6,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <initializer_list>
 #include <optional>
 #include <utility>
 
 #include "core/error.h"
 #include "core/text/text.h"
 #include "core/text/units.h"
-#include "files/exchange/table.h"
-#include "files/files.h"
+#include "gws/laboratory/triaxial_curves.h"
 #include "gws/solution/model.h"
 
 namespace soilweave::gws {
@@ -38,86 +36,11 @@ constexpr Parameter friction_range{
     dilation_range{"dilation_angle", "deg", 0, 30, false, "dilation angle at the peak", "sand has 0 to 20"},
     modulus_range{"E50", "Pa", 1e5, 1e10, false, "secant modulus to half of the strength", "sand has 5 to 200 MPa"};
 
-/// Curves of a drained triaxial test, compression and contraction positive.
-struct Curves {
-  std::vector<double> strain, volumetric, ratio;
-};
-
-/// Returns the column with the first of `names` that the table has.
-std::vector<double> column(const io::Series& table, std::initializer_list<const char*> names, const std::string& path) {
-  for (const char* name : names)
-    if (table.find(name)) return io::in_unit(table, name, "1", path);
-  throw DataError(fmt::format("{}: has no column {}", path, fmt::join(names, " or ")));
-}
-
-/// Returns axial over radial stress, from its own column or from the deviatoric stress.
-std::vector<double> stress_ratios(const io::Series& table, double pressure, const std::string& path) {
-  if (table.find("stress_ratio")) return io::in_unit(table, "stress_ratio", "1", path);
-  if (!table.find("deviatoric_stress")) throw DataError(path + ": has no column stress_ratio or deviatoric_stress");
-  std::vector<double> ratios = io::in_unit(table, "deviatoric_stress", "Pa", path);
-  for (double& q : ratios) q = 1 + q / pressure;
-  return ratios;
-}
-
-/// Throws DataError for the first row whose lateral stress differs by more than 10 % from the given pressure.
-void judge_pressure(const io::Series& table, double pressure, const std::string& path) {
-  constexpr double most = 0.1;  // cell pressure is held to some per cent
-  std::vector<double> lateral;
-  for (const char* name : {"radial_stress", "stress_radial", "confining_pressure", "cell_pressure"})
-    if (lateral.empty() && table.find(name)) lateral = io::in_unit(table, name, "Pa", path);
-  if (lateral.empty() && table.find("mean_stress") && table.find("deviatoric_stress")) {
-    lateral = io::in_unit(table, "mean_stress", "Pa", path);
-    const std::vector<double> deviatoric = io::in_unit(table, "deviatoric_stress", "Pa", path);
-    for (std::size_t i = 0; i < lateral.size(); ++i) lateral[i] -= deviatoric[i] / 3;
-  }
-  for (std::size_t i = 0; i < lateral.size(); ++i)
-    if (std::abs(lateral[i] / pressure - 1) > most)
-      throw DataError(
-          fmt::format("{}: row {}: its lateral stress is {:.4g} kPa, and pressure says {:.4g} kPa: check "
-                      "both, and whether the test was drained at a constant pressure",
-                      path, i + 1, lateral[i] / 1e3, pressure / 1e3));
-}
-
-/// Throws DataError for the first row that is impossible in a drained test.
-void judge(const Curves& curves, const std::string& path) {
-  // The bounds of calibration (pipelines/calibration/plausible.py).
-  constexpr double seated = 1.3, at_rest = 5e-5, least = 0.9, most = 15, greatest_volumetric = 0.3;
-  for (std::size_t i = 0; i < curves.strain.size(); ++i) {
-    const double strain = curves.strain[i], volumetric = curves.volumetric[i], ratio = curves.ratio[i];
-    const auto refuse = [&](const std::string& what) {
-      throw DataError(fmt::format("{}: row {}: {}", path, i + 1, what));
-    };
-    if (!std::isfinite(strain + volumetric + ratio)) refuse("a value is not a number: leave the row out");
-    if (!(std::abs(strain) < 1))
-      refuse(fmt::format("axial strain {:.4g}, which must be below 1: per cent are written [%] in the header", strain));
-    if (i > 0 && strain < curves.strain[i - 1])
-      refuse("the axial strain falls: leave out unloading, and give rows in the order of the test");
-    if (!(std::abs(volumetric) < greatest_volumetric))
-      refuse(fmt::format("volumetric strain {:.4g}, more than a test has: per cent are written [%] in the header",
-                         volumetric));
-    if (!(ratio >= least && ratio <= most) || (strain <= at_rest && ratio > seated))
-      refuse(
-          fmt::format("axial over radial stress is {:.4g} at an axial strain of {:.3g}; it is 1 at rest and no soil "
-                      "bears more than {:g}: check stress_ratio or deviatoric_stress, its unit, and the pressure",
-                      ratio, strain, most));
-  }
-}
-
-Curves read_curves(const std::string& path, double pressure, std::vector<io::Source>& sources) {
-  const io::TextFile file = io::read_text(path, "triaxial test");
-  sources.push_back(file.source);
-  const io::Series table = io::from_tsv(file.text, path);
-  Curves curves{column(table, {"strain_axial", "axial_strain"}, path),
-                column(table, {"strain_volumetric", "volumetric_strain"}, path), stress_ratios(table, pressure, path)};
-  judge(curves, path);
-  judge_pressure(table, pressure, path);
-  return curves;
-}
-
 /// Sets strength, dilation and stiffness of the test from its curves. The dilation is the greatest slope over a tenth
 /// of the final strain.
 void measure(Triaxial& test, const Curves& curves, const std::string& path) {
-  const auto& [strain, volumetric, ratio] = curves;
+  const auto& strain = curves.strain;
+  const auto &volumetric = curves.volumetric, &ratio = curves.ratio;
   const auto peak = static_cast<std::size_t>(std::ranges::max_element(ratio) - ratio.begin());
   if (ratio.size() < 5 || !(ratio[peak] > 1))
     throw DataError(path + ": at least 5 rows with a stress_ratio above 1 are needed");
@@ -145,15 +68,31 @@ void measure(Triaxial& test, const Curves& curves, const std::string& path) {
                       range.name, value, range.unit, range_text(range), range.why));
 }
 
+/// Returns E50 of Toyoura sand under a pressure, Pa.
+double toyoura_modulus(double pressure) {
+  return toyoura_E50 * std::pow(pressure / toyoura_pressure, toyoura_exponent);
+}
+
+/// Doubts a modulus more than ten times off Toyoura sand's, which a slip of units gives.
+void judge_stiffness(Triaxial& test) {
+  constexpr double factor = 10;
+  const double usual = toyoura_modulus(test.pressure);
+  if (test.E50 > factor * usual || test.E50 < usual / factor)
+    test.doubts.push_back(
+        {"estimated-stiffness", fmt::format("E50 is {:.3g} MPa under {:.4g} kPa, where Toyoura sand has {:.3g} MPa: "
+                                            "check its unit, or that of the axial strain it is computed from",
+                                            test.E50 / 1e6, test.pressure / 1e3, usual / 1e6)});
+}
+
 }  // namespace
 
 Soil estimated(const Triaxial& test) {
   Soil soil;
   const double at_failure = obliquity(test.friction_angle), p = 3 * test.pressure / (3 - at_failure);
-  const double toyoura_modulus = toyoura_E50 * std::pow(test.pressure / toyoura_pressure, toyoura_exponent);
+  const double modulus = toyoura_modulus(test.pressure);
   const double scale = half_strain(at_failure, test.E50, test.pressure) /
-                       half_strain(failure_obliquity(soil, p), toyoura_modulus, test.pressure);
-  const double strength = at_failure / failure_obliquity(soil, p), stiffness = test.E50 / toyoura_modulus;
+                       half_strain(failure_obliquity(soil, p), modulus, test.pressure);
+  const double strength = at_failure / failure_obliquity(soil, p), stiffness = test.E50 / modulus;
   soil.lambda *= scale;
   soil.kappa *= scale * strength;
   // E50 contains elastic and plastic strain, so both are scaled. If only one changed, the strength would be mobilised
@@ -175,7 +114,11 @@ Triaxial read_estimate(Settings& table, const NamedFiles& files, std::vector<io:
   test.pressure = table.number(confined, curves ? std::nullopt : std::optional(1e5));  // E50 ~ pressure
   if (curves) {
     const std::string path = files.path("estimate.triaxial", table.text("triaxial")).string();
-    if (table.has("pressure")) measure(test, read_curves(path, test.pressure, sources), path);
+    if (!table.has("pressure")) return test;
+    const Curves read = read_curves(path, test.pressure, sources);
+    measure(test, read, path);
+    test.doubts = doubts(read, path);
+    judge_stiffness(test);
     return test;
   }
   test.friction_angle = table.number(friction_range);
@@ -183,6 +126,7 @@ Triaxial read_estimate(Settings& table, const NamedFiles& files, std::vector<io:
   test.E50 = table.number(modulus_range);
   if (!(test.dilation_angle < test.friction_angle))
     table.mistake("dilation_angle", "is not below the friction angle: check both, 0 is on the safe side");
+  judge_stiffness(test);
   return test;
 }
 

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "core/doubts.h"
 #include "core/text/named_file.h"
 #include "core/text/settings.h"
 #include "files/provenance.h"
@@ -24,6 +25,8 @@ struct Triaxial {
   double pressure = 1e5;
   /// Whether its curve still rises in the last row.
   bool still_rises = false;
+  /// Doubts about its table and its stiffness.
+  std::vector<Doubt> doubts = {};
 };
 
 /// Returns Toyoura sand's constants (thesis Table 5.2), changed by the test:
@@ -39,8 +42,10 @@ Soil estimated(const Triaxial& test);
 
 /// Reads [estimate]: friction_angle, dilation_angle, E50, void_ratio, pressure. Key triaxial, a TSV with strain_axial,
 /// strain_volumetric and stress_ratio (or deviatoric_stress), replaces the first three. The pressure is then required;
-/// otherwise its default is 100 kPa. The table's source is added to `sources`. Mistakes go to the document. Throws
-/// DataError for rows that no drained test has, and for curves whose strength, dilation or stiffness no soil has.
+/// otherwise its default is 100 kPa. Doubts about the table are those of triaxial_curves.h; "estimated-stiffness" is an
+/// E50 more than ten times off Toyoura sand's at that pressure. The table's source is added to `sources`. Mistakes go
+/// to the document. Throws DataError for rows that no drained test has, and for curves whose strength, dilation or
+/// stiffness no soil has.
 Triaxial read_estimate(Settings& table, const NamedFiles& files, std::vector<io::Source>& sources);
 
 /// Adds a mistake to [estimate] if the dilation angle is so near to the friction angle that p_c leaves its range.

@@ -157,6 +157,7 @@ SoilFile read_soil(Settings& document, const NamedFiles& files) {
     if (!document.table("failure_line").has("p_c")) judge_dilation(at, test);
     file.soil = estimated(test);
     file.estimated = marked(test);
+    file.doubts = test.doubts;
   }
   for (const Constant& c : table) {
     Settings at = document.table(c.line);

@@ -20,6 +20,7 @@
 #include <string_view>
 #include <vector>
 
+#include "core/doubts.h"
 #include "core/parameter.h"
 #include "core/text/named_file.h"
 #include "core/text/settings.h"
@@ -101,6 +102,8 @@ struct SoilFile {
   Identified identified = {};
   /// How constants were estimated without bags; empty: they were not.
   std::string estimated = {};
+  /// Doubts about the test that they were estimated from.
+  std::vector<Doubt> doubts = {};
   /// Files that the soil's own file names.
   std::vector<io::Source> sources = {};
   /// Lines fitted to as many points as they have constants, whose scatter from point to point is unknown.
