@@ -166,6 +166,12 @@ PY
   mentions 65 homogenize "no yarns" --tsv --table bag "$IN/sheared.h5"
   mentions 65 homogenize "no yarns" --yarns -o out.h5 "$IN/sheared.h5"
   mentions 65 homogenize "no groups along x" --groups -o out.h5 "$IN/sheared.h5"
+  # Millimetres and centimetres for metres; a box may be too large along some axes.
+  mentions 65 homogenize "sheared.h5: --box 0,50,0,100,0,100: an edge has 1000 times the extent of the state, which is 0.1, 0.1 and 0.1 m along x, y and z: coordinates are in metres, as 0.015 for 15 mm" \
+    --box 0,50,0,100,0,100 -o out.h5 "$IN/sheared.h5"
+  mentions 65 homogenize "coordinates are in metres" --tsv --table volumes --box 0,2.5,0,10,0,10 "$IN/sheared.h5"
+  mentions 65 homogenize "coordinates are in metres" --tsv --table volumes --box 0,100,0,100,0,1 "$IN/sheared.h5"
+  exits 0 homogenize --quiet --tsv --table volumes --box 0,0.05,-3,3,-1,1 "$IN/sheared.h5"
   mentions 65 homogenize "no grain lies in box" --box 5,6,5,6,5,6 -o out.h5 "$IN/sheared.h5"
   [[ ! -e out.h5 ]]
 }

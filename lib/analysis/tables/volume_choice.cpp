@@ -4,13 +4,57 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cstddef>
+#include <limits>
 #include <string_view>
 #include <utility>
 
 #include "core/error.h"
 #include "core/text/number_word.h"
+#include "dem/state/bodies.h"
 
 namespace soilweave::analysis {
+namespace {
+
+// Edge of a box over the extent of the state: above the first along every axis, or above the second along any, a box
+// has millimetres or centimetres for metres. A box may be far too large along some axes to take everything there.
+constexpr double large_edge = 20, largest_edge = 100;
+
+// Returns the extent along each axis, m: that of the cell where it is periodic, because grains are taken into it; else
+// that of the grains, without nodes.
+Vec3 extents(const io::Snapshot& state) {
+  Vec3 low = Vec3::Constant(std::numeric_limits<double>::infinity()), high = -low;
+  const std::vector<bool> node = io::nodes(state);
+  for (std::size_t i = 0; i < state.grains.size(); ++i) {
+    if (node[i]) continue;
+    const Vec3 reach = Vec3::Constant(state.grains.radius[i]);
+    low = low.cwiseMin(state.grains.position[i] - reach), high = high.cwiseMax(state.grains.position[i] + reach);
+  }
+  Vec3 all = high - low;
+  for (int axis = 0; axis < 3; ++axis)
+    if (state.cell.periodic[static_cast<std::size_t>(axis)]) all[axis] = state.cell.matrix.row(axis).cwiseAbs().sum();
+  return all;
+}
+
+// Throws DataError for a box that is much larger than the grains.
+void judge_size(const io::Snapshot& state, const std::vector<double>& b, const std::string& text,
+                const std::string& where) {
+  const Vec3 extent = extents(state);
+  double least = std::numeric_limits<double>::infinity(), most = 0;
+  for (int axis = 0; axis < state.grains.dimension; ++axis) {
+    const auto at = static_cast<std::size_t>(2 * axis);
+    const double ratio = (b[at + 1] - b[at]) / extent[axis];
+    least = std::min(least, ratio), most = std::max(most, ratio);
+  }
+  if (least > large_edge || most > largest_edge)
+    throw DataError(
+        fmt::format("{}: --box {}: an edge has {:.0f} times the extent of the state, which is {:.3g}, {:.3g} and "
+                    "{:.3g} m along x, y and z: coordinates are in metres, as 0.015 for 15 mm",
+                    where, text, most, extent.x(), extent.y(), extent.z()));
+}
+
+}  // namespace
 
 void VolumeChoice::check(std::vector<std::string>& wrong) const {
   for (const std::string& text : boxes) {
@@ -31,6 +75,7 @@ std::vector<Volume> VolumeChoice::volumes(const io::Snapshot& state, const std::
     take(analysis::groups(state), "has no groups along x, which need copies in one layer, as many along x as along y");
   for (const std::string& text : boxes) {
     const std::vector<double> b = numbers_of_list(text);
+    judge_size(state, b, text, where);
     all.push_back(box(state, {b[0], b[2], b[4]}, {b[1], b[3], b[5]}));
   }
   return all;

@@ -20,7 +20,8 @@ struct VolumeChoice {
   /// Adds one line for each box that is not six numbers from low to high.
   void check(std::vector<std::string>& wrong) const;
   /// Returns copies, then groups, then boxes. `where` names the state's file. Throws DataError if copies or groups are
-  /// requested and the state has none.
+  /// requested and the state has none, and for a box with an edge of more than 100 times the extent of the state, or
+  /// with edges of more than 20 times along all axes, as coordinates in millimetres give.
   std::vector<Volume> volumes(const io::Snapshot& state, const std::string& where) const;
 };
 
