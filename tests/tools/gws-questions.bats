@@ -72,6 +72,9 @@ questions() {
 0;at the same tension of 1.14 kN/m;respond --soil toyoura-gws --geotextile PP --stiffness "8 kN/m"
 0;Geotextile W70: ;respond --soil toyoura-gws --geotextile catalogue.toml:W70@cross
 0;Smallest stiffness;design --soil toyoura-gws --surcharge "300 kPa" --settlement "5 %" --safety 1.5
+64;--geotextile is given twice: PP and PE; give one;design --soil toyoura-gws --geotextile PP --settlement 0.05 --geotextile PE
+64;--rf-creep is given twice: 2 and 3; give one;respond --soil toyoura-gws --geotextile PP --rf-creep 2 --rf-creep=3
+0;soil softer, Young;respond --soil toyoura-gws --geotextile PP --geotextile PP --set near_failure_line.kappa=1.5 --set near_failure_line.kappa=1.6 --set name=softer
 0;Carries;design --soil toyoura-gws --geotextile catalogue.toml:P160 --settlement "5 %"
 0;Long-term strength: 90.61 kN/m over creep 2, installation 1, durability 1 leaves 45.3 kN/m;design --soil toyoura-gws --geotextile PP --surcharge "1500 kPa" --safety 1.5 --rf-creep 2
 0;leaves 14.43 kN/m;respond --soil toyoura-gws --geotextile PP --rf-creep 2 --rf-installation 1.1

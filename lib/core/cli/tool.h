@@ -77,7 +77,7 @@ class Table {
   void output_folder(std::filesystem::path& field, std::string sentence);
 
   /// Declares an option: "n" is written -n, a longer name --with-hyphens, "pressure,p" both ways.
-  /// Numbers may carry a unit. A number out of range is a usage mistake.
+  /// Numbers may carry a unit. A number out of range is a usage mistake, and so is a second, different value.
   void option(double& field, const Parameter& parameter);
   void option(std::int64_t& field, const Parameter& parameter);
   void option(std::optional<double>& field, const Parameter& parameter);

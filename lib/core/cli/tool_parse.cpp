@@ -48,9 +48,15 @@ void declare(CLI::App& app, Table::Impl& table, std::vector<std::string>& files,
 }
 
 void assign_options(Table::Impl& table, std::vector<std::string>& mistakes) {
-  for (Entry& entry : table.options)
+  for (Entry& entry : table.options) {
     for (const std::string& text : entry.given)
       if (const auto mistake = entry.assign(text)) mistakes.push_back(fmt::format("{}: {}", entry.written(), *mistake));
+    if (entry.kind == Kind::list || entry.given.empty()) continue;
+    const std::string& first = entry.given.front();
+    const auto other = std::ranges::find_if(entry.given, [&](const std::string& text) { return text != first; });
+    if (other != entry.given.end())
+      mistakes.push_back(fmt::format("{} is given twice: {} and {}; give one", entry.written(), first, *other));
+  }
 }
 
 void report_unknown(const Table::Impl& table, const std::vector<std::string>& extras,
