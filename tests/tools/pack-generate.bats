@@ -21,8 +21,18 @@ setup() {
   ln -s "$BATS_FILE_TMPDIR"/* .
 }
 
+# others STANDARDS ARGUMENT...: sets others to the options of a text, as "--grains=60 --aspect=1", that the arguments do not give.
+others() {
+  local option given=" ${*:2} "
+  others=()
+  for option in $1; do
+    [[ $given == *" ${option%%=*}"[\ =]* ]] || others+=("$option")
+  done
+}
+
 small() {
-  pack-generate --quiet --grains 60 --aspect 1 --pressure 1e5 --tolerance 1e-2 "$@"
+  others "--grains=60 --aspect=1 --pressure=1e5 --tolerance=1e-2" "$@"
+  pack-generate --quiet "${others[@]}" "$@"
 }
 
 refused() {
@@ -31,7 +41,8 @@ refused() {
 
 # unmade STATUS WORDS ARGUMENTS...: demands that for a small packing from nothing.
 unmade() {
-  refused "${@:1:2}" --grains 60 --aspect 1 --tolerance 1e-2 "${@:3}"
+  others "--grains=60 --aspect=1 --tolerance=1e-2" "${@:3}"
+  refused "${@:1:2}" "${others[@]}" "${@:3}"
 }
 
 @test "the same call gives the same bytes, with one thread and with four; another seed another packing" {

@@ -12,6 +12,7 @@
 #include "files/exchange/table.h"
 #include "files/files.h"
 #include "gws/identification/identify.h"
+#include "gws/identification/points.h"
 #include "gws/output/options.h"
 #include "gws/output/tables.h"
 #include "gws/solution/respond.h"
@@ -137,8 +138,7 @@ TEST(GwsIdentify, DiscreteElementPointsReproduceTable52AsFarAsTheyCan) {
     if (!std::filesystem::exists(path)) GTEST_SKIP() << "not run in the root of the source tree";
     series.push_back(bag_series(read_series(path, "", sources), path, 0, false));
   }
-  const Points failure = read_points("data/laboratory/toyoura_peak_obliquity.tsv", "confining_pressure", "Pa",
-                                     "obliquity_at_failure", "1", sources);
+  const Points failure = failure_points("data/laboratory/toyoura_peak_obliquity.tsv", true, sources);
   const SoilFile table{"Table 5.2", {}, {}};
   for (const Difference difference : {Difference::central, Difference::backward}) {
     const Identification found = identify(series, table, {}, failure, difference, Method::thesis);
