@@ -22,7 +22,7 @@ namespace {
 
 // Bounds of calibration (pipelines/calibration/plausible.py), which tells their reasons; strains are fractions here.
 constexpr double seated = 1.3, at_rest = 5e-5, least_ratio = 0.9, most_ratio = 15, no_strength = 1.05;
-constexpr double least_axial = -0.05, greatest_volumetric = 0.3, beyond_axial = 0.02;
+constexpr double least_axial = -0.05, most_volumetric = 0.3, beyond_axial = 0.02;
 constexpr double least_friction = 22, most_friction = 55;
 constexpr double clear_ratio = 0.3, clear_volume = 0.0025, begun = 1.1, clear_axial = 0.005;
 constexpr double expansion_share = 0.01, least_expansion = 0.001;
@@ -150,7 +150,7 @@ void judge(const Curves& curves, const std::string& path) {
       refuse(fmt::format("the axial strain is {:.4g} %: compression is positive; correct the row", 100 * strain));
     if (i > 0 && strain < curves.strain[i - 1])
       refuse("the axial strain falls: leave out unloading, and give rows in the order of the test");
-    if (!(std::abs(volumetric) < greatest_volumetric))
+    if (!(std::abs(volumetric) < most_volumetric))
       refuse(fmt::format("volumetric strain {:.4g}, more than a test has: per cent are written [%] in the header",
                          volumetric));
     greatest_axial = std::max(greatest_axial, std::abs(strain));
