@@ -194,7 +194,8 @@ std::optional<Miss> miss_of(const Boundary& boundary, std::size_t along, const M
   for (const Edge& edge : boundary.ends) {
     if (held[edge[0]][along] && held[edge[1]][along]) continue;
     const Vec2 outward = outward_of(edge, mesh), normal = outward.normalized();
-    const Vec2 given = of_edge.at(edge), balanced = 0.5 * (stress[edge[0]] + stress[edge[1]]) * normal;
+    const Vec2& given = of_edge.at(edge);
+    const Vec2 balanced = 0.5 * (stress[edge[0]] + stress[edge[1]]) * normal;
     // An upright cell keeps a shear stress that no loading takes from its grains.
     if (std::abs(normal[axis]) < 1e-9 && given[axis] == 0) continue;
     missed += std::abs(given[axis] - balanced[axis]) * outward.norm();
