@@ -93,6 +93,15 @@ TEST(DoubtsOfLoading, NumbersWithoutTheirUnit) {
   EXPECT_NE(said(isotropic("1e5") + k0("2e5, 200")).find("from 2e+05 to 200 Pa"), std::string::npos);
   EXPECT_EQ(said(isotropic("1e5") + k0("\"100 kPa\", 4e5, 1e4")), "") << "an unloading";
   EXPECT_EQ(said(isotropic("1e4") + isotropic("10")), "") << "an unloading between named stresses";
+  const io::Snapshot light = [&] {
+    io::Snapshot state = start;
+    for (double& f : state.contacts.normal_force) f *= 1e-3;
+    return state;
+  }();
+  const auto of_light = [&](const std::string& stages) { return only(analysis::unit_doubts(light, plan(stages))); };
+  EXPECT_NE(of_light(isotropic("50")).find("stage.0.pressure is 50 without a unit"), std::string::npos);
+  EXPECT_EQ(of_light(isotropic("\"50 Pa\"")), "") << "the remedy works";
+  EXPECT_EQ(of_light(isotropic("50") + isotropic("1e5")), "") << "the other stress is in Pa, too";
   io::Snapshot loaded = start;
   for (double& f : loaded.contacts.normal_force) f *= 1e5;
   EXPECT_NE(only(analysis::unit_doubts(loaded, plan(isotropic("100")))).find("write \"100 kPa\""), std::string::npos);

@@ -232,7 +232,8 @@ TEST(Refused, ZInThePlaneOfDisks) {
   disks.grains.dimension = 2;
   for (Vec3& x : disks.grains.position) x.z() = 0;
   const std::string held = "[[stage]]\npath = \"free\"\n[stage.z]\nstrain = 0\n";
-  EXPECT_NO_THROW(prepare(disks, scenario("[numerics]\ngravity = [0, -9.81, 0]\n" + held)));
+  const std::string floor = "[[plane]]\npoint = [0, -9, 0]\nnormal = [0, 1, 0]\n";
+  EXPECT_NO_THROW(prepare(disks, scenario("[numerics]\ngravity = [0, -9.81, 0]\n" + floor + held)));
   expect_error<DataError>([&] { prepare(disks, scenario("[numerics]\ngravity = [0, 0, -9.81]\n" + held)); },
                           "numerics.gravity acts along z, and the packing is of disks");
   expect_error<DataError>([&] { prepare(disks, scenario(held.substr(0, held.size() - 2) + "0.1\n")); },

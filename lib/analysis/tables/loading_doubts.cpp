@@ -34,6 +34,8 @@ constexpr double largest_strain = 0.5;
 constexpr double least_share = 0.02;
 // Stress below which a number without a unit is doubted, Pa: that of sand under 3 cm of sand.
 constexpr double least_stress = 500;
+// Stress from which a number without a unit is meant in Pa, Pa: few soils are tested at 5000 kPa.
+constexpr double clear_stress = 5e3;
 
 bool strains(const dem::AxisGoal& goal) { return goal.kind == dem::AxisGoal::Kind::strain && goal.value != 0; }
 
@@ -148,7 +150,8 @@ std::vector<Doubt> stress_unit_doubts(const io::Snapshot& begun, const dem::Scen
 }
 
 std::vector<Doubt> bare_stress_doubts(int dimension, const dem::Scenario& scenario) {
-  if (dimension != 3) return {};
+  const auto in_pascals = [](const BareNumber& stress) { return stress.value >= clear_stress; };
+  if (dimension != 3 || std::ranges::any_of(scenario.bare_stresses, in_pascals)) return {};
   for (const BareNumber& stress : scenario.bare_stresses)
     if (stress.value > 0 && stress.value < least_stress)
       return {
@@ -219,8 +222,8 @@ std::vector<Doubt> jump_doubts(const io::Snapshot& begun, const dem::Scenario& s
 
 std::vector<Doubt> unit_doubts(const io::Snapshot& begun, const dem::Scenario& scenario) {
   std::vector<Doubt> doubts = strain_doubts(begun.grains.dimension, scenario);
-  std::vector<Doubt> stresses = bare_stress_doubts(begun.grains.dimension, scenario);
-  if (stresses.empty()) stresses = stress_unit_doubts(begun, scenario);
+  std::vector<Doubt> stresses = stress_unit_doubts(begun, scenario);
+  if (stresses.empty()) stresses = bare_stress_doubts(begun.grains.dimension, scenario);
   std::move(stresses.begin(), stresses.end(), std::back_inserter(doubts));
   return doubts;
 }

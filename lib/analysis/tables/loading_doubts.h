@@ -31,9 +31,9 @@ std::vector<Doubt> start_doubts(const io::Snapshot& start, const io::Snapshot& b
 std::vector<Doubt> jump_doubts(const io::Snapshot& begun, const dem::Scenario& scenario);
 
 /// Returns "strain" if a stage strains an axis by more than 0.5: perhaps the % sign is missing. Returns "stress-unit"
-/// if a stage in 3D asks for a stress below 500 Pa without a unit, or lowers a stress of a cell to less than a
-/// fiftieth: perhaps the unit kPa is missing. A lowered stress that an earlier stage set is not judged in a stage that
-/// sets all stresses.
+/// if a stage lowers a stress of a cell to less than a fiftieth, or in 3D asks for a stress below 500 Pa without a
+/// unit: perhaps the unit kPa is missing. A lowered stress that an earlier stage set is not judged in a stage that sets
+/// all stresses, nor a small one beside another without a unit of 5 kPa or more.
 std::vector<Doubt> unit_doubts(const io::Snapshot& begun, const dem::Scenario& scenario);
 
 /// Returns "friction" if one of these friction angles (rad) is above 0 and below pi/2 degrees: perhaps it was given in
