@@ -57,7 +57,8 @@ class Compaction {
         angle_(dem::friction(model, recipe.materials)) {
     for (int a = 0; a < dimension_; ++a)
       if (!cloud.cell.periodic[static_cast<std::size_t>(a)])
-        throw DataError("the packing's cell is not periodic: to compress it, give a text its --cell; else give --as-is");
+        throw DataError(
+            "the packing's cell is not periodic: to compress it, give a text its --cell; else give --as-is");
     if (last) {
       servo_.archive(kept_), at_.archive(kept_), clock_.archive(simulation_, 0, kept_);
       dem::demand_kept(at_.phase >= Phase::compressing && at_.phase <= Phase::done, keeper_.part().last(), "phase");
