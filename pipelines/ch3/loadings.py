@@ -49,7 +49,7 @@ def loads(each, strain):
         for of, value in zip(each, values, strict=True):
             found[of].append(value)
     if not found["slow"]:
-        raise NotMade("no volume has all loads: give the runs a greater strain, C3L_END in loadings.mk, and remove them to make them anew")
+        raise NotMade("no volume has all loads: give the runs a greater strain, C3L_END in loadings.mk")
     return found
 
 
