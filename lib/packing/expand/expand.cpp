@@ -31,7 +31,7 @@ constexpr std::int64_t patience = 10;
 constexpr double relief = 0.05;
 
 // Difference from the asked void ratio below which a container counts as filled as asked.
-constexpr double void_ratio_met = 0.01;
+constexpr double void_ratio_met = 0.02;
 
 // Present work: rounds of growth, with friction lowered if needed; then coming to rest at full friction.
 enum class Stage { growing, resting, done };

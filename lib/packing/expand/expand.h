@@ -102,7 +102,7 @@ struct Grown {
   dem::Cost cost;
 };
 
-/// Returns "dense" if the full container is denser than the void ratio that `growth` asks for, by more than 0.01.
+/// Returns "dense" if the full container is denser than the void ratio that `growth` asks for, by more than 0.02.
 std::vector<Doubt> filling_doubts(const Growth& growth, const Fill& fill);
 
 /// Grows soil between the nodes of the geotextiles, which stand still. The grains must be nearly at rest. Throws
