@@ -1,6 +1,6 @@
 """Compares the loading of the study with slower and faster plates, on bags of several representative volumes.
 
-usage: python3 -m ch3.loadings stresses|steps FOLDER VOLUME... > table; loadings.mk calls it. The loads of a bag are in
+usage: python3 -m ch3.loadings stresses|start|steps FOLDER VOLUME... > table; loadings.mk calls it. The loads of a bag are in
 FOLDER/VOLUME/GEOTEXTILE_LOADING.tsv.
 """
 # SPDX-License-Identifier: GPL-3.0-or-later
@@ -59,16 +59,16 @@ def scattered(values):
     return [f"{statistics.mean(values):+.2f}", f"{error:.2f}" if error is not None else "none"]
 
 
-def stresses(folder, volumes):
-    """Returns the table of loads as text: the mean over the volumes under slow plates, and the differences from it.
+def stresses(folder, volumes, geotextiles=GEOTEXTILES, strains=(*STRAINS, "greatest")):
+    """Returns the table of loads at axial strains (%) as text: the mean over the volumes under slow plates, and the differences from it.
 
     A difference is the mean over pairs of bags of one volume. Behind it stands the standard error of this mean.
     """
     rows = [["geotextile", "axial strain [%]", "volumes", "slow plates [kPa]",
              *(head for of in LOADINGS for head in (f"{of} [%]", f"standard error of {of} [%]"))]]
-    for geotextile in GEOTEXTILES:
+    for geotextile in geotextiles:
         each = bags(folder, volumes, geotextile)
-        for strain in (*STRAINS, "greatest"):
+        for strain in strains:
             found = loads(each, strain)
             slow = found["slow"]
             differences = [scattered([100 * (one / beside - 1) for one, beside in zip(found[of], slow, strict=True)]) for of in LOADINGS]
@@ -87,6 +87,7 @@ def steps(folder, volumes):
 
 
 COMMANDS = {"stresses": lambda folder, *volumes: stresses(pathlib.Path(folder), volumes),
+            "start": lambda folder, *volumes: stresses(pathlib.Path(folder), volumes, ["PP"], (1, 2)),
             "steps": lambda folder, *volumes: steps(pathlib.Path(folder), volumes)}
 
 if __name__ == "__main__":

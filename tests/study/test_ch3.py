@@ -320,6 +320,7 @@ def test_loadings_are_compared_by_the_mean_over_volumes(tmp_path):
     told = loadings.stresses(tmp_path, ["4", "5"]).splitlines()
     assert told[1] == "PE\t1\t2\t10.0\t-20.00\t10.00\t+0.00\t0.00" and told[-1] == "PP\tgreatest\t2\t140.0\t-20.00\t10.00\t+0.00\t0.00"
     assert loadings.stresses(tmp_path, ["4"]).splitlines()[1] == "PE\t1\t1\t10.0\t-10.00\tnone\t+0.00\tnone"
+    assert [line.split("\t")[:2] for line in loadings.COMMANDS["start"](tmp_path, "4", "5").splitlines()[1:]] == [["PP", "1"], ["PP", "2"]]
     assert loadings.steps(tmp_path, ["4", "5"]).splitlines()[1:4] == ["PE\tslow\t360\t1.500", "PE\tfast\t240\t1.000", "PE\tstudy\t60\t0.250"]
 
 
