@@ -8,6 +8,7 @@
 
 #include "analysis/measure/volume_of_interest.h"
 #include "analysis/tables/doubts.h"
+#include "analysis/tables/loading_doubts.h"
 #include "analysis/tables/material_doubts.h"
 #include "core/cli/tool.h"
 #include "core/error.h"
@@ -114,7 +115,8 @@ struct FilterExpand {
                   const tool::Invocation& invocation) const {
     const packing::Surrounded cell = packing::surround(reinforced.state, *what.surround, what.density);
     dem::described(cell.state, what.model);
-    const std::vector<Doubt> about = analysis::material_doubts(cell.state, what.model, what.numerics.gravity);
+    std::vector<Doubt> about = analysis::material_doubts(cell.state, what.model, what.numerics.gravity);
+    for (Doubt& doubt : analysis::bare_stress_doubts(what.bare_stresses)) about.push_back(std::move(doubt));
     Progress progress("filter-expand", invocation.quiet);
     const ProgressReport report = [&](double done, const std::string& detail) { progress.update(done, detail); };
     std::vector<io::Source> sources = {reinforced.source, text};
@@ -130,10 +132,10 @@ struct FilterExpand {
       std::erase_if(missed, [&](const Doubt& doubt) { return std::ranges::find(about, doubt) != about.end(); });
       return demand_met(missed, *what.surround);
     }
-    packing::CompactedCell done = packing::compact_around(cell, *what.surround, what.model, what.numerics, report,
-                                                          {safe.part(), interval, &signals});
     Doubts said(invocation.tool);
     said.add_all(about);
+    packing::CompactedCell done = packing::compact_around(cell, *what.surround, what.model, what.numerics, report,
+                                                          {safe.part(), interval, &signals});
     // If missed targets are an error, the error's message names them.
     if (!what.surround->missed_is_error) said.add_all(done.missed);
     Doubts doubts;

@@ -313,3 +313,35 @@ mesh() {
     same_bytes run.h5 "$n.h5"
   done
 }
+
+@test "stresses without a unit are doubted where kPa may be meant" {
+  cat > bare.toml << 'TOML'
+[mesh]
+width = 1
+height = 1
+columns = 2
+rows = 2
+[soil]
+material = "elastic"
+density = 2000
+young_modulus = "4 MPa"
+poisson_ratio = 0.25
+[[support]]
+on = "bottom"
+x = 0
+y = 0
+[[traction]]
+on = "top"
+y = -20
+[time]
+duration = 0.05
+output_interval = 0.05
+TOML
+  exits 0 fem-dem --check bare.toml
+  [[ $stderr == *'fem-dem: doubt: traction.0.y is -20 without a unit, which is -20 Pa: if -20 kPa is meant, write "-20 kPa", else "-20 Pa"'* ]] ||
+    show "wanted a doubt"
+  for traction in '"-20 kPa"' '"-20 Pa"' -20e3; do
+    exits 0 fem-dem --check bare.toml --set "traction.0.y=$traction"
+    [[ $stderr != *"without a unit"* ]] || show "$traction is clear"
+  done
+}

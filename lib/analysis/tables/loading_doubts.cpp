@@ -149,18 +149,6 @@ std::vector<Doubt> stress_unit_doubts(const io::Snapshot& begun, const dem::Scen
   return {};
 }
 
-std::vector<Doubt> bare_stress_doubts(int dimension, const dem::Scenario& scenario) {
-  const auto in_pascals = [](const BareNumber& stress) { return stress.value >= clear_stress; };
-  if (dimension != 3 || std::ranges::any_of(scenario.bare_stresses, in_pascals)) return {};
-  for (const BareNumber& stress : scenario.bare_stresses)
-    if (stress.value > 0 && stress.value < least_stress)
-      return {
-          {"stress-unit", fmt::format("{0} is {1:.4g} without a unit, which is {1:.4g} Pa: if {1:.4g} kPa is meant, "
-                                      "write \"{1:.4g} kPa\", else \"{1:.4g} Pa\"",
-                                      stress.key, stress.value)}};
-  return {};
-}
-
 }  // namespace
 
 std::optional<StressChange> stress_change(const io::Snapshot& start, const io::Snapshot& begun) {
@@ -223,9 +211,21 @@ std::vector<Doubt> jump_doubts(const io::Snapshot& begun, const dem::Scenario& s
 std::vector<Doubt> unit_doubts(const io::Snapshot& begun, const dem::Scenario& scenario) {
   std::vector<Doubt> doubts = strain_doubts(begun.grains.dimension, scenario);
   std::vector<Doubt> stresses = stress_unit_doubts(begun, scenario);
-  if (stresses.empty()) stresses = bare_stress_doubts(begun.grains.dimension, scenario);
+  if (stresses.empty() && begun.grains.dimension == 3) stresses = bare_stress_doubts(scenario.bare_stresses);
   std::move(stresses.begin(), stresses.end(), std::back_inserter(doubts));
   return doubts;
+}
+
+std::vector<Doubt> bare_stress_doubts(const std::vector<BareNumber>& stresses) {
+  const auto in_pascals = [](const BareNumber& stress) { return std::abs(stress.value) >= clear_stress; };
+  if (std::ranges::any_of(stresses, in_pascals)) return {};
+  for (const BareNumber& stress : stresses)
+    if (stress.value != 0 && std::abs(stress.value) < least_stress)
+      return {
+          {"stress-unit", fmt::format("{0} is {1:.4g} without a unit, which is {1:.4g} Pa: if {1:.4g} kPa is meant, "
+                                      "write \"{1:.4g} kPa\", else \"{1:.4g} Pa\"",
+                                      stress.key, stress.value)}};
+  return {};
 }
 
 std::vector<Doubt> stage_friction_doubts(const dem::Scenario& scenario) {

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/doubts.h"
+#include "core/text/settings.h"
 #include "dem/run/scenario.h"
 #include "files/files.h"
 
@@ -35,6 +36,10 @@ std::vector<Doubt> jump_doubts(const io::Snapshot& begun, const dem::Scenario& s
 /// unit: perhaps the unit kPa is missing. A lowered stress that an earlier stage set is not judged in a stage that sets
 /// all stresses, nor a small one beside another without a unit of 5 kPa or more.
 std::vector<Doubt> unit_doubts(const io::Snapshot& begun, const dem::Scenario& scenario);
+
+/// Returns "stress-unit" if one of these stresses, given without a unit, is below 500 Pa in magnitude and not zero, and
+/// none is 5 kPa or more: perhaps the unit kPa is missing.
+std::vector<Doubt> bare_stress_doubts(const std::vector<BareNumber>& stresses);
 
 /// Returns "friction" if one of these friction angles (rad) is above 0 and below pi/2 degrees: perhaps it was given in
 /// radians.

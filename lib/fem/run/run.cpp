@@ -10,6 +10,7 @@
 #include <functional>
 #include <utility>
 
+#include "analysis/tables/loading_doubts.h"
 #include "core/error.h"
 #include "core/memory.h"
 #include "core/text/text.h"
@@ -40,8 +41,11 @@ void doubt_start(const Scenario& scenario, const std::vector<io::Snapshot>& pack
   const std::vector<Doubt> of_packings = packing_doubts(packings, scenario.model, model);
   doubts.add_all(of_packings);
   // Another stress than that of the files would miss the loads, too.
+  std::vector<Doubt> of_loads;
   if (std::none_of(of_packings.begin(), of_packings.end(), [](const Doubt& d) { return d.key == "jump"; }))
-    doubts.add_all(balance_doubts(scenario.model, model));
+    of_loads = balance_doubts(scenario.model, model);
+  if (of_loads.empty()) of_loads = analysis::bare_stress_doubts(scenario.bare_stresses);
+  doubts.add_all(of_loads);
   doubts.add_all(timing_doubts(scenario, model, steps));
 }
 

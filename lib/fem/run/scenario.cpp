@@ -353,6 +353,11 @@ Scenario read_scenario(Settings& document, std::optional<Mesh> mesh) {
   s.doubts = s.model.soil.mesh.doubts;
   for (Doubt& doubt : loading_doubts(s.model)) s.doubts.push_back(std::move(doubt));
   for (Doubt& doubt : analysis::radian_doubts(friction_angles(s.model))) s.doubts.push_back(std::move(doubt));
+  s.bare_stresses = document.bare("Pa");
+  std::erase_if(s.bare_stresses, [](const BareNumber& number) {
+    return !number.key.starts_with("traction.") && number.key != "soil.initial_stress" &&
+           number.key != "soil.cohesion" && number.key != "geosynthetic.seat_pressure";
+  });
   s.resolved = document.resolved();
   return s;
 }

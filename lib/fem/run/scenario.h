@@ -35,6 +35,8 @@ struct Scenario {
   std::vector<Doubt> doubts;
   /// TOML with all defaults.
   std::string resolved;
+  /// Stresses that were given without a unit, Pa: tractions, initial stress, cohesion, seat pressure.
+  std::vector<BareNumber> bare_stresses;
 };
 
 /// Reads a scenario. mesh: from a file; none: the rectangle of [mesh]. Throws DataError with all mistakes.

@@ -297,6 +297,8 @@ Plan read_plan(Settings& document, const NamedFiles& files) {
   if (plan.surround) demand_fill(document, plan);
   demand_used(document, plan);
   document.finish();
+  for (BareNumber& stress : document.bare("Pa"))
+    if (stress.key.starts_with("surround.")) plan.bare_stresses.push_back(std::move(stress));
   plan.resolved = document.resolved();
   // Yarns have no tension while grains grow, so that a plan need not describe them.
   if (!plan.surround && plan.model.geotextiles.empty())

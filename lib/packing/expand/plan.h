@@ -50,6 +50,8 @@ struct Plan {
   std::vector<io::Source> sources;
   /// The plan with all defaults, in TOML.
   std::string resolved;
+  /// Stresses of [surround] that were given without a unit, Pa.
+  std::vector<BareNumber> bare_stresses;
 
   /// Returns the depth at which soil begins, m: the inner side of the nodes.
   double soil_depth() const { return wrapping ? nodes.radius - outside : 0; }
