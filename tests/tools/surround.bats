@@ -96,8 +96,8 @@ setup() {
 
 @test "a pressure of some pascals without a unit is doubted before the soil is compacted" {
   # The time step is refused before the first step.
-  # shellcheck disable=SC2154  # stderr is set by call
   call filter-expand --quiet bag.h5 around.toml "${around[@]}" --set surround.pressure=10 --set numerics.time_step=1 -o out.h5
+  # shellcheck disable=SC2154  # stderr is set by call
   [[ $status -ne 0 && $stderr == *"doubt: surround.pressure is 10 without a unit, which is 10 Pa: if 10 kPa is meant, write \"10 kPa\""* ]] || show
   call filter-expand --quiet bag.h5 around.toml "${around[@]}" --set 'surround.pressure="10 Pa"' --set numerics.time_step=1 -o out.h5
   [[ $status -ne 0 && $stderr != *"without a unit"* ]] || show
