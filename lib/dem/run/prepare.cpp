@@ -151,13 +151,17 @@ void demand_outside(const io::Snapshot& state, const Scenario& scenario) {
 }
 
 void demand_free_faces(const io::Snapshot& state, const Scenario& scenario) {
-  if (const auto found = plane_between_images(state))
-    throw DataError(fmt::format(
-        "plane {} stands across {}, along which the cell is periodic and grains touch their images through its faces, "
-        "so "
-        "that the plane bears a part of the load only: fill a box from the packing first (filter-expand packing.h5 "
-        "box.toml -o box.h5, with a [container] of shape \"box\"), or leave the plane out",
-        name_of(found->first, scenario), "xyz"[found->second]));
+  const auto found = plane_between_images(state);
+  if (!found) return;
+  const std::string box =
+      state.grains.dimension == 2
+          ? ""
+          : "fill a box from the packing first (filter-expand packing.h5 box.toml -o box.h5, with a "
+            "[container] of shape \"box\"), or ";
+  throw DataError(
+      fmt::format("plane {} stands across {}, along which the cell is periodic and grains touch their images through "
+                  "its faces; the plane would bear a part of the load only: {}leave the plane out",
+                  name_of(found->first, scenario), "xyz"[found->second], box));
 }
 
 void demand_held(const io::Snapshot& state, const Scenario& scenario) {
