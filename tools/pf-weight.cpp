@@ -114,17 +114,17 @@ struct Assimilate {
     auto observed =
         calibration::observations(io::from_tsv(text.text, observations.string()), choice, observations.string());
     if (goes_on) calibration::demand_new(members.weighings, text.source, observed);
-    const std::vector<Doubt> doubts = calibration::doubts(members, goes_on);
+    std::vector<Doubt> doubts = calibration::doubts(members, goes_on);
     auto simulated = calibration::simulated(runs, members.id, observed, choice, sources);
     const auto done =
         calibration::assimilate(std::move(members), std::move(observed), std::move(simulated), comparison.model(),
                                 comparison.least_size, comparison.chosen_stations(), goes_on);
     const auto groups = calibration::groups_of(done);
+    for (Doubt& doubt : calibration::doubts(done, output.tells_weights(table))) doubts.push_back(std::move(doubt));
     output.put(calibration::ensemble_file(done.ensemble, groups), calibration::table_of(done, groups, table),
                calibration::describe(done), sources, invocation, doubts);
-    Progress progress("pf-weight", invocation.quiet);
-    if (const auto remark = comparison.remark()) progress.note("pf-weight assimilate: " + *remark);
-    for (const std::string& warning : calibration::warnings(done)) progress.note("pf-weight assimilate: " + warning);
+    if (const auto remark = comparison.remark())
+      Progress("pf-weight", invocation.quiet).note("pf-weight assimilate: " + *remark);
     if (const auto zero = calibration::all_zero(done)) throw TargetNotReached(*zero);
   }
 };

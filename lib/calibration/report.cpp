@@ -121,20 +121,22 @@ std::vector<std::string> distances(const Assimilation& a) {
 
 }  // namespace
 
-std::vector<std::string> warnings(const Assimilation& a) {
-  std::vector<std::string> list;
+std::vector<Doubt> doubts(const Assimilation& a, bool weights_told) {
+  std::vector<Doubt> list;
   const auto n = a.ensemble.size();
   if (a.runs.used() < n)
-    list.push_back(fmt::format("{} of {} runs are not used and have no weight", n - a.runs.used(), n));
+    list.push_back({"unused", fmt::format("{} of {} runs are not used and have no weight", n - a.runs.used(), n)});
   if (!a.runs.unknown.empty())
     list.push_back(
-        fmt::format("ids in --runs that no member of the ensemble has: {}, the first {}; their rows are left out",
-                    a.runs.unknown.size(), a.runs.unknown.front()));
+        {"unknown",
+         fmt::format("ids in --runs that no member of the ensemble has: {}, the first {}; their rows are left out",
+                     a.runs.unknown.size(), a.runs.unknown.front())});
   if (const std::vector<std::string> far = distances(a); !far.empty() && !all_zero(a))
     list.push_back(
-        fmt::format("no run comes near the observations: {}; check the units in the heads of both tables, and the "
-                    "observables; else widen the prior",
-                    fmt::join(far, ", and ")));
+        {"far", fmt::format("no run comes near the observations: {}; check the units in the heads of both tables, and "
+                            "the observables; else widen the prior",
+                            fmt::join(far, ", and "))});
+  if (!weights_told) return list;
   const auto last = static_cast<Eigen::Index>(a.observed.stations()) - 1;
   const double size = a.filtered.effective_size[last];
   if (size < degenerate_below(a)) {
@@ -142,18 +144,20 @@ std::vector<std::string> warnings(const Assimilation& a) {
     const double most = a.ensemble.weight.maxCoeff(&heaviest);
     Eigen::Index since = last;
     while (since > 0 && a.filtered.effective_size[since - 1] < degenerate_below(a)) --since;
-    list.push_back(fmt::format(
-        "degenerate: an effective sample size of {:.4g} of {} for {} parameters (so since {} {:.6g}); {:.3g} of the "
-        "weight is "
-        "on member {}, means are next to its values, and deviations mean nothing: resample, give more runs or a larger "
-        "error",
-        size, n, a.ensemble.prior.size(), a.observed.station.name, a.observed.at[static_cast<std::size_t>(since)], most,
-        a.ensemble.id[static_cast<std::size_t>(heaviest)]));
+    list.push_back(
+        {"degenerate",
+         fmt::format("degenerate: an effective sample size of {:.4g} of {} for {} parameters (so since {} {:.6g}); "
+                     "{:.3g} of the weight is on member {}, means are next to its values, and deviations mean "
+                     "nothing: resample, give more runs or a larger error",
+                     size, n, a.ensemble.prior.size(), a.observed.station.name,
+                     a.observed.at[static_cast<std::size_t>(since)], most,
+                     a.ensemble.id[static_cast<std::size_t>(heaviest)])});
   } else if (a.runs.used() > 1 && a.kept_share > nothing_learnt) {
     list.push_back(
-        fmt::format("nothing is learnt: the observations leave {:.4g} of the weights before them effective; give a "
-                    "smaller error, or check that the parameters change what the runs are compared by",
-                    a.kept_share));
+        {"uninformative",
+         fmt::format("nothing is learnt: the observations leave {:.4g} of the weights before them effective; give a "
+                     "smaller error, or check that the parameters change what the runs are compared by",
+                     a.kept_share)});
   }
   return list;
 }

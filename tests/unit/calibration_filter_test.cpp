@@ -78,8 +78,10 @@ TEST(ParticleFilter, TheStoredEnsembleHasTheExpectedMeansAndWeights) {
   EXPECT_LT(farthest, 1e-6);
   EXPECT_LT(heaviest, 1e-4);
   EXPECT_NEAR(a.filtered.effective_size[99], 1.05, 0.01);
-  ASSERT_EQ(warnings(a).size(), 1u);
-  EXPECT_NE(warnings(a)[0].find("0.973 of the weight is on member 50"), std::string::npos) << warnings(a)[0];
+  const std::vector<Doubt> said = doubts(a);
+  ASSERT_EQ(said.size(), 1u);
+  EXPECT_EQ(said[0].key, "degenerate");
+  EXPECT_NE(said[0].sentence.find("0.973 of the weight is on member 50"), std::string::npos) << said[0].sentence;
 }
 
 TEST(ParticleFilter, WeightsAreProductsOfLikelihoods) {

@@ -128,6 +128,10 @@ void Output::check(std::vector<std::string> mistakes, bool needed) const {
   io::demand_none(mistakes);
 }
 
+bool Output::tells_weights(std::string_view name) const {
+  return !tsv || !file.empty() || (name != "runs" && name != "curves");
+}
+
 void Output::put(const io::EnsembleFile& ensemble, const io::Series& table, const std::string& text,
                  const std::vector<io::Source>& sources, const tool::Invocation& invocation,
                  const std::vector<Doubt>& doubts) const {

@@ -61,6 +61,8 @@ struct Output : io::TableOutput {
   void declare(tool::Table& table, std::string_view sentence);
   /// Throws UsageError with these mistakes and its own.
   void check(std::vector<std::string> mistakes, bool needed) const;
+  /// Returns whether what is written or printed depends on the weights. name: of an assimilation's table.
+  bool tells_weights(std::string_view name) const;
   /// Prints table (--tsv) or text, unless the file goes to standard output. Says the doubts. Writes the file, with the
   /// doubts in its history.
   void put(const io::EnsembleFile& ensemble, const io::Series& table, const std::string& text,
