@@ -159,3 +159,4 @@ ENDED_ch5 := $(patsubst $(C5O)/%.h5,%,$(wildcard $(C5_UC) $(C5_PRESSED:%=$(C5O)/
 C5_OF_ENDED := $(filter $(ENDED_ch5:%=$(C5O)/%.tsv),$(C5_OF_RUNS)) $(if $(filter uc_PP,$(ENDED_ch5)),$(C5O)/volumes_PP.tsv)
 ch5-keep: $(C5_OF_ENDED) ## keep the tables of finished thesis-size runs of ch5 (PROFILE=thesis)
 ch5-compare: $(C5_PY) $(C5_UNIAXIAL) $(C5_TRIAXIAL) $(C5_LINES) $(C5_KEPT_BAGS) $(C5_KEPT_CELLS) $(C5_KEPT_OWN) ## compare and draw the kept runs of ch5 anew
+include $(C5)/volumes.mk

@@ -5,7 +5,7 @@ import types
 
 import numpy
 import pytest
-from ch5 import grains, measures, pictures
+from ch5 import grains, measures, pictures, volumes
 from ch5 import study as chapter
 from ch5.grains import PRESSURES, SHEARED, UNIAXIAL, Copies, Grains
 from matplotlib import pyplot
@@ -251,3 +251,18 @@ def test_a_cell_that_ends_at_its_greatest_stress_has_no_capacity():
     ended = grains.Cell(table.rows(table["step"] <= whole["step"][whole.peak]))
     with pytest.raises(NotMade, match="the greatest stress of the cell does not come before 11 %"):
         ended.capacity  # pylint: disable=pointless-statement
+
+
+def test_constants_of_several_volumes_have_their_scatter(tmp_path):
+    heads = [(name, "Pa" if name == "alpha" else "1") for name in measures.OWN]
+    paths = []
+    for volume, share in (("4", 1), ("5", 1.2), ("6", 1.4)):
+        paths.append(tmp_path / f"{volume}.tsv")
+        columns = [(f"{name} [{unit}]\t{name}_given [{unit}]", f"{share * (2e7 if name == 'alpha' else 1)}\t{2.5e7 if name == 'alpha' else 1.1}")
+                   for name, unit in heads]
+        paths[-1].write_text("\t".join(head for head, _ in columns) + "\n" + "\t".join(row for _, row in columns) + "\n")
+    told = dict(line.split("\t", 1) for line in volumes.COMMANDS["constants"](*paths).splitlines())
+    assert told["kappa"] == "1\t1.1\t1.2\t0.2\t1\t1.4\t3"
+    assert told["alpha"] == "MPa\t25\t24\t4\t20\t28\t3"
+    with pytest.raises(StudyError, match="no scatter: give at least two files"):
+        volumes.COMMANDS["constants"](paths[0])
