@@ -11,6 +11,8 @@ setup_file() {
   pack-generate --quiet --grains 300 --void-ratio 0.72 --pressure 1e4 --tolerance 1e-2 -o packing.h5
   filter-expand --quiet packing.h5 bag.toml -o bag.h5 --history growth.tsv
   run-dem --quiet bag.h5 press.toml -o run.h5
+  # The preload alone takes a third of the steps.
+  awk '/^\[\[stage\]\]/ && ++stages > 1 { exit } { print }' press.toml > preload.toml
 }
 
 setup() {
@@ -22,8 +24,9 @@ setup() {
 @test "a bag is the same with one thread and with three, and so is what it carries" {
   filter-expand --quiet --threads 3 packing.h5 bag.toml -o three.h5
   same_bytes bag.h5 three.h5
-  run-dem --quiet --threads 3 bag.h5 press.toml -o pressed.h5
-  same_bytes run.h5 pressed.h5
+  run-dem --quiet bag.h5 preload.toml -o one.h5
+  run-dem --quiet --threads 3 bag.h5 preload.toml -o three_pressed.h5
+  same_bytes one.h5 three_pressed.h5
 }
 
 @test "generation and loading that were stopped go on to the same bytes" {
@@ -311,7 +314,7 @@ assert abs(sum(ring) - 1).max() < 0.02, abs(sum(ring) - 1).max()
 assert abs(lengths.mean() / 0.004 - 1) < 0.06 and lengths.std() / lengths.mean() < 0.1, (lengths.mean(), lengths.std())
 assert lengths.max() < 1.3 * lengths.mean() and lengths.min() > 0.7 * lengths.mean(), (lengths.min(), lengths.max())
 PY
-  run-dem --quiet egg.h5 press.toml -o egg_run.h5
+  run-dem --quiet egg.h5 preload.toml -o egg_run.h5
   homogenize --table series --tsv egg_run.h5 > egg.tsv
   holds 'tension > 0' tension="$(value egg.tsv yarn_tension_face 1)"
   surface egg.stl egg
