@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 """Chapter 5: soil wrapped in a geotextile, by the analytical solution and by grains (thesis Figs. 5.2 to 5.20)."""
 # SPDX-License-Identifier: GPL-3.0-or-later
+import functools
 import pathlib
 
 import numpy
@@ -45,9 +46,23 @@ class Runs:
         table = Folder(out)
         self.uniaxial = {g: table(f"uniaxial_{g}") for g in UNIAXIAL}
         self.triaxial = {(g, p): table(f"triaxial_{g}_{p}kPa") for g in SHEARED for p in PRESSURES}
-        self.lines = {name: table(name) for name in LINES}
         self.recorded = {g: Table.read(RECORDED.format(g)) for g in ANALYSED}
-        self.chart, self.bands = table("chart"), table("bands")
+        self._table = table
+
+    @functools.cached_property
+    def lines(self):
+        """Lines and constants identified from the recorded series."""
+        return {name: self._table(name) for name in LINES}
+
+    @functools.cached_property
+    def chart(self):
+        """The design chart."""
+        return self._table("chart")
+
+    @functools.cached_property
+    def bands(self):
+        """The response with the scatter of its constants."""
+        return self._table("bands")
 
     def given(self, constant, unit="1"):
         """Returns a constant of thesis Table 5.2."""
@@ -180,14 +195,18 @@ def compared(runs, grains, some):
             *(Drawn("", bags[g], COLOURS[g], CROSSES) for g in some if g in bags)]
 
 
-def draw_uniaxial(study, runs, grains=None):
-    """Draws Figs. 5.2, 5.15 and 5.16."""
-    study.curves("surcharge", *(panel("strain_axial", "surcharge", compared(runs, grains, some), xlim=(0, 20), ylim=(0, None))
-                                for some in (UNIAXIAL[:3], UNIAXIAL[3:])))
+def draw_tension(study, runs):
+    """Draws Fig. 5.2."""
     tension = [drawn for g in ("PE", "PP") for drawn in (
         Drawn(f"{g}, yarns of the discrete elements", Recorded(runs.recorded[g]), COLOURS[g], "o"),
         Drawn(f"{g}, model, to half the strength", Solution(runs.uniaxial[g]), COLOURS[g]))]
     study.curves("tension", panel("tensile_strain", "tension", tension, xlim=(0, 9), ylim=(0, 26)))
+
+
+def draw_uniaxial(study, runs, grains=None):
+    """Draws Figs. 5.15 and 5.16. grains: the runs of grains, if there are any."""
+    study.curves("surcharge", *(panel("strain_axial", "surcharge", compared(runs, grains, some), xlim=(0, 20), ylim=(0, None))
+                                for some in (UNIAXIAL[:3], UNIAXIAL[3:])))
     drawn = compared(runs, grains, DRAWN)
     study.curves("internal", *(panel(x, y, drawn, legend=y == "axial_stress", xlim=(0, end), ylim=limits) for x, y, end, limits in (
         ("strain_axial", "axial_stress", 18, None), ("strain_axial", "radial_stress", 18, None), ("hoop_strain", "reinforcing_efficiency", 9, None),
@@ -259,7 +278,7 @@ def draw_stiffness(study, runs):
 
 
 def draw_triaxial(study, runs, grains=None):
-    """Draws Figs. 5.17 to 5.20: solutions, and points of the cells of grains where they are made."""
+    """Draws Figs. 5.17 to 5.20: solutions, and points of the cells of grains where they are made. grains: as in draw_uniaxial()."""
     cells, marks = grains.cells() if grains else {}, dict(zip(PRESSURES, ("x", "+", "."), strict=True))
     for x, y in (("strain_axial", "surcharge"), ("strain_axial", "axial_stress"), ("strain_axial", "radial_stress"),
                  ("strain_deviatoric", "strain_volumetric")):
@@ -331,6 +350,8 @@ def build_kept(arguments):
     grains = Grains(study.out, arguments.solutions, "not among the kept runs")
     build_of_grains(study, grains)
     draw_of_grains(study, grains)
+    for draw in (draw_uniaxial, draw_triaxial):
+        draw(study, Runs(arguments.solutions), grains)
     return study
 
 
@@ -353,7 +374,7 @@ def build(arguments):
     draw_of_grains(study, grains)
     draw_uniaxial(study, runs, grains)
     draw_triaxial(study, runs, grains)
-    for draw in (draw_lines, draw_stiffness, draw_design):
+    for draw in (draw_tension, draw_lines, draw_stiffness, draw_design):
         draw(study, runs)
     study.text("Identified constants; \"given\" is Table 5.2, made from six series", study.out / "identified.txt")
     study.text("Constants identified from these bags", study.out / "own_identified.txt")

@@ -91,6 +91,6 @@ def test_columns_of_chapter_5(tmp_path):
         return lambda: act(Study("ch5", "", tmp_path, "quick"), module.Runs(tmp_path))
     readers = [lambda: module.measure_trends(Study("ch5", "", tmp_path, "quick"), module.Runs(tmp_path).uniaxial),
                reader(lambda study, runs: [module.measure_beside_record(study, g, runs.uniaxial[g], r) for g, r in runs.recorded.items()]),
-               *map(reader, (module.measure_triaxial, module.measure_constants, module.draw_uniaxial, module.draw_lines,
+               *map(reader, (module.measure_triaxial, module.measure_constants, module.draw_uniaxial, module.draw_tension, module.draw_lines,
                              module.draw_stiffness, module.draw_triaxial, module.draw_design))]
     assert demand_columns(readers) > 200
