@@ -233,6 +233,8 @@ off() {
   off "'kilo' is not a known unit" "stage.0.confining_pressure=5 kilo"
   off "axial_strain: 3 is out of range: must be from -2 to 2" stage.0.axial_strain=3
   off "increment: 0 is out of range: must be between 0 and 1" stage.0.increment=0
+  off "increment: is 0.5, beyond the strain of 0.002, so that the end alone would be recorded: if 0.5 % is meant, write \"0.5 %\"" \
+    stage.0.increment=0.5
   off "rate: 1000 is out of range: must be between 0 and 1000 1/s" stage.0.rate=1000
   off "density: 0 is out of range: must be between 0 and 1e12 kg/m3" grains.density=0
   off "damping: 1 is out of range: must be from 0 to 0.999 (at 1 nothing would move)" numerics.damping=1

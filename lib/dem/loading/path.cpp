@@ -11,6 +11,13 @@
 namespace soilweave::dem {
 
 std::vector<double> stations_every(double step, double end, Settings& table) {
+  constexpr double coarse = 0.05;
+  if (step >= coarse && step > std::abs(end) && end != 0)
+    table.mistake(
+        "increment",
+        fmt::format("is {0:.4g}, beyond the strain of {1:.4g}, so that the end alone would be recorded: if "
+                    "{0:.4g} % is meant, write \"{0:.4g} %\", else leave it out and give stations = [{1:.4g}]",
+                    step, end));
   const double count = std::max(1.0, std::ceil(std::abs(end) / step * (1 - 1e-12)));
   constexpr double most = 1e6;
   if (count > most) {
