@@ -204,3 +204,31 @@ TOML
   exits 0 run-dem --quiet --check scaled.h5 fall.toml --set grains.density=2650
   [[ $stderr != *"grains of one material have"* ]] || show "the remedy does not work"
 }
+
+@test "materials and geotextiles that nothing in the packing has are doubted, with their numbers" {
+  { cat short.toml; printf '[[material]]\nyoung_modulus = "8 GPa"\npoisson_ratio = 0.33\nfriction_angle = 21\n'; } > second.toml
+  { cat short.toml; printf '[[geotextile]]\ncurve = "PE"\n'; } > wrapped.toml
+  exits 0 run-dem --quiet --check packing.h5 short.toml
+  [[ $stderr != *"has no effect"* ]] || show "all is used"
+  exits 0 run-dem --quiet --check packing.h5 second.toml
+  [[ $stderr == *"doubt: no grain, node or plane has material 1, so that [[material]] 1 has no effect: material 0 is [contact]"* ]] || show
+  exits 0 run-dem --quiet --check packing.h5 wrapped.toml
+  [[ $stderr == *"doubt: no yarn has geotextile 0, so that [[geotextile]] 0 has no effect"* ]] || show
+  # A plane counts, too.
+  { cat second.toml; printf '[[plane]]\npoint = [0, 0, -9]\nnormal = [0, 0, 1]\nmaterial = 1\n'; } > plane.toml
+  printf '[container]\nshape = "box"\nlow = [-0.015, -0.015, -0.015]\nhigh = [0.015, 0.015, 0.015]\n%s\n' "$(cat "$BATS_TEST_DIRNAME/sand.toml")" > box.toml
+  exits 0 filter-expand --quiet packing.h5 box.toml -o open.h5
+  sed '/^\[\[stage\]\]/,/^reset/d' plane.toml > fall.toml
+  printf '[[stage]]\npath = "free"\n' >> fall.toml
+  exits 0 run-dem --quiet --check open.h5 fall.toml
+  [[ $stderr != *"has no effect"* ]] || show "the plane has the material"
+}
+
+@test "tolerances of more than a tenth are doubted, since stations are not at rest there" {
+  exits 0 run-dem --quiet --check packing.h5 short.toml --set equilibrium.stress_tolerance=0.1
+  [[ $stderr != *"doubt: equilibrium."* ]] || show
+  exits 0 run-dem --quiet --check packing.h5 short.toml --set equilibrium.stress_tolerance=0.5
+  [[ $stderr == *"doubt: equilibrium.stress_tolerance is 0.5, which is 50 %: stations are recorded that are not at rest"* ]] || show
+  exits 0 run-dem --quiet --check packing.h5 short.toml --set equilibrium.unbalanced_force=0.9
+  [[ $stderr == *"doubt: equilibrium.unbalanced_force is 0.9, which is 90 %"* ]] || show
+}

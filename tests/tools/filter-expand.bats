@@ -258,11 +258,24 @@ PYTHON
   }
   contradicts 'yarn_strain: ends at 17.04 %, where failure_strain is 10 %: correct one of them' 'failure_strain = "10 %"'
   contradicts 'yarn_tension: ends at 47.5 N, which is the strength of a yarn 5000 mm wide' 'strength = "9.5 N/m"'
+  # The number of a strength in kN/m that was copied as the tension of a yarn in N.
+  contradicts 'yarn_tension: ends at 47.5 N, which is the strength of a yarn 1 mm wide' 'strength = "47.5 kN/m"'
   printf 'failure_strain = 0.16\nstrength = "9.5 kN/m"\nstiffness = "53 kN/m"\n' >> yarn.toml
   run-dem --check bag.h5 loads/press.toml --set geotextile.0.curve=yarn.toml > /dev/null
   refuses 65 run-dem 'geotextile.0.yarn_strain: ends at 17, more than twice the length; per cent are written "17 %"' bag.h5 press.toml \
     --set 'geotextile.0.yarn_strain=[2,6,17]' -o out.h5
   run-dem --check bag.h5 press.toml --set 'geotextile.0.yarn_strain=["2 %","6 %","17 %"]' > /dev/null
+}
+
+@test "tensions of yarns that no geotextile bears are doubted, as those of a metre of it are" {
+  exits 0 run-dem --quiet --check bag.h5 press.toml
+  # shellcheck disable=SC2154  # stderr is set by run
+  [[ $stderr != *"yarns of geotextile"* && $stderr != *"has no effect"* ]] || show "these yarns are used, and bear what yarns do"
+  exits 0 run-dem --quiet --check bag.h5 press.toml --set 'geotextile.0.yarn_tension=[8400,20600,47500]'
+  [[ $stderr == *"doubt: yarns of geotextile 0 are some "*" mm apart and bear 4.75e+04 N at most, which is "*"a curve gives the tension of one yarn, in N"* ]] ||
+    show
+  exits 0 run-dem --quiet --check bag.h5 press.toml --set geotextile.0.multiple=1e-3
+  [[ $stderr == *"doubt: yarns of geotextile 0 are some "*" and bear 0.0475 N at most"* ]] || show
 }
 
 # surface FILE SHAPE: writes an egg, or a ring, of triangles, as STL or VTP.

@@ -10,6 +10,7 @@
 #include <numeric>
 #include <optional>
 
+#include "analysis/input/input_doubts.h"
 #include "analysis/measure/fabric.h"
 #include "analysis/measure/soundness.h"
 #include "analysis/measure/stress.h"
@@ -200,6 +201,7 @@ std::vector<Doubt> history_doubts(const io::Snapshot& start, const dem::Scenario
 // Returns doubts that depend only on input and scenario, so that they are equal before and after a run.
 std::vector<Doubt> of_scenario(const io::Snapshot& start, const dem::Scenario& scenario, const io::Snapshot& begun) {
   std::vector<Doubt> doubts = material_doubts(start, scenario.model, scenario.numerics.gravity);
+  append(doubts, input_doubts(begun, scenario));
   append(doubts, stage_friction_doubts(scenario));
   std::vector<Doubt> jumps = start_doubts(start, begun, scenario);
   // A jump at the start may cause later ones, so they are not reported.

@@ -4,11 +4,11 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 
 #include "core/data.h"
-#include "core/error.h"
 #include "core/text/beside.h"
 #include "core/text/text.h"
 #include "files/files.h"
@@ -35,9 +35,8 @@ void check(const WireCurve& curve, Settings& table) {
                                                      curve.tension.size(), curve.strain.size()));
   for (std::size_t k = 1; k < curve.strain.size(); ++k)
     if (curve.strain[k] <= curve.strain[k - 1])
-      return table.mistake("yarn_strain", fmt::format("falls from {} to {}: a curve goes from point to point with "
-                                                      "growing strain",
-                                                      curve.strain[k - 1], curve.strain[k]));
+      return table.mistake("yarn_strain", fmt::format("is {} after {}: give points in the order of growing strain",
+                                                      curve.strain[k], curve.strain[k - 1]));
   if (curve.strain.back() > 1)
     return table.mistake("yarn_strain", fmt::format("ends at {}, more than twice the length; per cent are written "
                                                     "\"{} %\"",
@@ -68,16 +67,17 @@ void compare(const WireCurve& curve, Settings& document) {
     const double breaks = document.number(failure);
     if (known && std::abs(curve.strain.back() / breaks - 1) > apart)
       document.mistake(strains.name,
-                       fmt::format("ends at {:.4g} %, where failure_strain is {:.4g} %: correct one of them, or leave "
-                                   "failure_strain out",
+                       fmt::format("ends at {:.4g} %, where failure_strain is {:.4g} %: correct one of them",
                                    100 * curve.strain.back(), 100 * breaks));
   }
   if (document.has(strength.name)) {
     const double width = known ? curve.tension.back() / document.number(strength) : narrowest;
-    if (!(width >= narrowest && width <= widest))
+    // In a yarn 1 m or 1 mm wide, tensions without a unit are likelier those of the fabric, in N/m or kN/m.
+    const bool copied = !document.bare("N").empty() && std::min(std::abs(width - 1), std::abs(1e3 * width - 1)) < 0.01;
+    if (!(width >= narrowest && width <= widest) || copied)
       document.mistake(tensions.name,
                        fmt::format("ends at {:.4g} N, which is the strength of a yarn {:.4g} mm wide: correct it or "
-                                   "strength, or their units",
+                                   "strength, or give all tensions their unit",
                                    curve.tension.back(), 1e3 * width));
   }
 }

@@ -1,0 +1,27 @@
+// Doubts about what a scenario gives and its packing does not use, or bears in another unit.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+#include "core/doubts.h"
+#include "dem/run/scenario.h"
+#include "files/records.h"
+
+namespace soilweave::analysis {
+
+/// Returns "unused-material" if no grain, node or plane of the state has a [[material]] of the scenario, and
+/// "unused-geotextile" if no yarn has a [[geotextile]]. begun: the state before the first step, with all planes.
+std::vector<Doubt> unused_doubts(const io::Snapshot& begun, const dem::Scenario& scenario);
+
+/// Returns "yarn" if the greatest tension of a curve, over the mean length of its yarns, is no strength of a
+/// geotextile: below 3 or above 3000 kN/m. A mesh has square openings, so that yarns are as far apart as they are long.
+std::vector<Doubt> yarn_doubts(const io::Snapshot& begun, const dem::Scenario& scenario);
+
+/// Returns "tolerance" if stations count as settled with an unbalanced force or stresses off by more than a tenth.
+std::vector<Doubt> tolerance_doubts(const dem::Tolerances& tolerances);
+
+/// Returns all doubts of this file.
+std::vector<Doubt> input_doubts(const io::Snapshot& begun, const dem::Scenario& scenario);
+
+}  // namespace soilweave::analysis
