@@ -232,3 +232,15 @@ TOML
   exits 0 run-dem --quiet --check packing.h5 short.toml --set equilibrium.unbalanced_force=0.9
   [[ $stderr == *"doubt: equilibrium.unbalanced_force is 0.9, which is 90 %"* ]] || show
 }
+
+@test "densities in g/cm3 or kN/m3 are doubted, with and without gravity" {
+  local density
+  for density in 2.65 26.5; do
+    exits 0 run-dem --quiet --check packing.h5 short.toml --set "grains.density=$density"
+    [[ $stderr == *"doubt: grains have $density kg/m3, where sand has 2650 and scaled grains more"* ]] || show
+  done
+  exits 0 run-dem --quiet --check packing.h5 short.toml --set grains.density=2650
+  [[ $stderr != *"doubt: grains have"* ]] || show "sand has this density"
+  exits 0 pack-generate --quiet --grains 60 --aspect 1 --pressure 1e5 --tolerance 1e-2 --density 26.5 -o light.h5
+  [[ $stderr == *"doubt: grains have 26.5 kg/m3"* ]] || show
+}

@@ -109,9 +109,16 @@ std::vector<Doubt> range_doubts(const io::Snapshot& state, const dem::Model& mod
 }
 
 std::vector<Doubt> weight_doubts(const io::Snapshot& state, const Vec3& gravity) {
-  if (gravity.isZero(0)) return {};
   std::vector<Doubt> doubts;
   const Bodies grains = bodies(state, false), fabric = bodies(state, true);
+  if (gravity.isZero(0)) {
+    if (grains.count > 0 && grains.density() < lightest)
+      doubts.push_back(
+          {"density", fmt::format("grains have {:.3g} kg/m3, where sand has {:.0f} and scaled grains more: "
+                                  "give the density in kg/m3, not in g/cm3 or kN/m3",
+                                  grains.density(), quartz)});
+    return doubts;
+  }
   if (grains.count > 0 && (grains.density() < lightest || grains.density() > heaviest))
     doubts.push_back(
         {"weight", fmt::format("numerics.gravity acts, and grains have {:.3g} kg/m3, so that they weigh {:.3g} times "

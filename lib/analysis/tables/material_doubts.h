@@ -20,6 +20,7 @@ std::vector<Doubt> range_doubts(const io::Snapshot& state, const dem::Model& mod
 
 /// Returns "weight" if gravity (m/s2) acts on grains or nodes of an implausible density: grains below 500 or above
 /// 20,000 kg/m3, nodes above 20,000 kg/m3. Returns "weights" if grains of one material have different densities.
+/// Without gravity, returns "density" if grains are below 500 kg/m3, since only scaling leaves true densities.
 std::vector<Doubt> weight_doubts(const io::Snapshot& state, const Vec3& gravity);
 
 /// Returns all doubts about materials of grains in this state.
