@@ -188,7 +188,7 @@ struct PackGenerate {
     if (dimension == 2 || (options.cell && !options.cell->periodic[2])) options.dimension = 2;
     packing::Imported read = packing::import_packing(import, rho, options);
     if (!as_is) packing::demand_no_geotextile(read.state, import);
-    if (auto doubt = packing::cell_doubt(read.state)) about.push_back(*doubt);
+    if (auto doubt = packing::length_doubt(read.state)) about.push_back(*doubt);
     sources.push_back(std::move(read.source));
     notes = std::move(read.notes);
     return std::move(read.state);

@@ -23,6 +23,7 @@ constexpr double least_pressure = 500;                        // Pa, that of san
 constexpr double median_error = 0.1;                          // share of the median diameter by mass
 constexpr double most_left_out = 0.1;                         // share of the mass finer than a grading's first point
 constexpr double finest_silt = 0.002, largest_cobbles = 200;  // mm, ISO 14688-1
+constexpr double largest_radius = 0.09;                       // m, mean, near that of the largest cobbles
 constexpr double loosest = 10;                                // void ratio of a cloud, beyond which units differ
 constexpr std::size_t most_counted = 1'000'000;               // largest number of grains in a remedy
 
@@ -106,10 +107,18 @@ std::optional<Doubt> coarsest_doubt(const Grading& curve, double coarsest) {
                            1e3 * coarsest, 1e3 * curve.diameter.back())};
 }
 
-std::optional<Doubt> cell_doubt(const io::Snapshot& state) {
-  if (!analysis::is_periodic(state)) return std::nullopt;
+std::optional<Doubt> radius_doubt(const io::Snapshot& state) {
+  const double radius = mean_radius(state);
+  if (radius < largest_radius) return std::nullopt;
+  return Doubt{"size", fmt::format("the mean radius of the grains is {0:.4g} m, that of boulders: if {0:.4g} mm is "
+                                   "meant, give it its unit (--mean-radius {0:.4g}mm, or a column radius [mm])",
+                                   radius)};
+}
+
+std::optional<Doubt> length_doubt(const io::Snapshot& state) {
+  if (!analysis::is_periodic(state)) return radius_doubt(state);
   const double void_ratio = analysis::void_ratio(state);
-  if (void_ratio <= loosest) return std::nullopt;
+  if (void_ratio <= loosest) return radius_doubt(state);
   return Doubt{"cell-unit",
                fmt::format("the void ratio is {:.3g}, above {}: the cell is {:.4g} m wide, and the grains' "
                            "mean radius is {:.4g} m: check that both have one unit of length",
@@ -118,6 +127,7 @@ std::optional<Doubt> cell_doubt(const io::Snapshot& state) {
 
 std::vector<Doubt> doubts_about(const io::Snapshot& state, const Contacts& contacts, const std::optional<Room>& room) {
   std::vector<Doubt> doubts = analysis::material_doubts(state, contacts.model, contacts.numerics.gravity);
+  if (auto doubt = radius_doubt(state)) doubts.push_back(*doubt);
   if (auto doubt = room ? grading_doubt(*room, state.grains.size()) : std::nullopt) doubts.push_back(*doubt);
   const analysis::Coordination c = analysis::coordination(state);
   const double rattlers = analysis::rattler_share(state, c.rattlers);

@@ -24,11 +24,15 @@ std::optional<Doubt> size_doubt(const Grading& curve);
 /// Returns a doubt if a largest diameter (--coarsest, m) leaves out nothing of the curve, as one in mm would.
 std::optional<Doubt> coarsest_doubt(const Grading& curve, double coarsest);
 
-/// Returns a doubt if a periodic cell is so loose that it and its grains seem to have different units of length.
-std::optional<Doubt> cell_doubt(const io::Snapshot& state);
+/// Returns a doubt if the mean radius of a packing is that of boulders, as one in mm that was read as m would be.
+std::optional<Doubt> radius_doubt(const io::Snapshot& state);
 
-/// Returns doubts about a packing at rest under an isotropic pressure: its materials, its grading, rattlers, a
-/// coordination number below 3, the cell's width, q/p, overlap. room: curve and cell of a new packing.
+/// Returns a doubt if an imported packing has implausible lengths: if a periodic cell is so loose that it and its
+/// grains seem to have different units, or else radius_doubt().
+std::optional<Doubt> length_doubt(const io::Snapshot& state);
+
+/// Returns doubts about a packing at rest under an isotropic pressure: its materials, its sizes, its grading, rattlers,
+/// a coordination number below 3, the cell's width, q/p, overlap. room: curve and cell of a new packing.
 std::vector<Doubt> doubts_about(const io::Snapshot& state, const Contacts& contacts, const std::optional<Room>& room);
 
 }  // namespace soilweave::packing
