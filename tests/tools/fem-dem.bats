@@ -345,3 +345,21 @@ TOML
     [[ $stderr != *"without a unit"* ]] || show "$traction is clear"
   done
 }
+
+@test "densities, moduli and geosynthetics in another unit are doubted" {
+  local key value words
+  exits 0 fem-dem --check elastic.toml
+  [[ $stderr != *", as no "* ]] || show "these are clear"
+  while read -r key value words; do
+    # A strength that is far too small breaks bars in the trial steps.
+    call fem-dem --check elastic.toml --set "$key=$value"
+    [[ $stderr == *"fem-dem: doubt: $key is $value $words, convert it"* ]] || show "wanted a doubt about $key"
+  done << 'TABLE'
+soil.density 2.254 kg/m3, as no soil has: if it is in g/cm3 or kN/m3
+soil.density 22.5 kg/m3, as no soil has: if it is in g/cm3 or kN/m3
+soil.young_modulus 4000 Pa, as no soil has: if it is in kPa or MPa
+geosynthetic.areal_density 350 kg/m2, as no geosynthetic has: if it is in g/m2
+geosynthetic.stiffness 222.8 N/m, as no geosynthetic has: if it is in kN/m
+geosynthetic.strength 31.75 N/m, as no geosynthetic has: if it is in kN/m
+TABLE
+}

@@ -313,6 +313,26 @@ std::vector<double> friction_angles(const ModelSetup& m) {
   return angles;
 }
 
+// Returns doubts about numbers that no soil or geosynthetic has, as those in another unit.
+std::vector<Doubt> unit_doubts(const ModelSetup& m) {
+  // The lightest peat has 200 kg/m3 and 0.1 MPa. Nonwovens have 0.1 kg/m2 and 10 kN/m, strips of steel 40 kg/m2.
+  constexpr double lightest = 200, softest = 1e5, heaviest = 100, slackest = 1e3;
+  std::vector<Doubt> doubts;
+  const auto doubt = [&](bool odd, std::string_view key, double value, std::string_view unit, std::string_view others) {
+    if (odd)
+      doubts.push_back({fmt::format("unit-{}", key.substr(key.find('.') + 1)),
+                        fmt::format("{} is {:.4g} {}, as no {} has: if it is in {}, convert it", key, value, unit,
+                                    key.substr(0, key.find('.')), others)});
+  };
+  doubt(m.soil.density > 0 && m.soil.density < lightest, "soil.density", m.soil.density, "kg/m3", "g/cm3 or kN/m3");
+  if (m.law) doubt(m.law->young_modulus < softest, "soil.young_modulus", m.law->young_modulus, "Pa", "kPa or MPa");
+  if (!m.bars) return doubts;
+  doubt(m.bars->areal_density > heaviest, "geosynthetic.areal_density", m.bars->areal_density, "kg/m2", "g/m2");
+  doubt(m.bars->stiffness < slackest, "geosynthetic.stiffness", m.bars->stiffness, "N/m", "kN/m");
+  doubt(m.bars->strength < slackest, "geosynthetic.strength", m.bars->strength, "N/m", "kN/m");
+  return doubts;
+}
+
 }  // namespace
 
 Scenario read_scenario(std::string_view text, const std::string& name, const std::vector<std::string>& overrides,
@@ -353,6 +373,7 @@ Scenario read_scenario(Settings& document, std::optional<Mesh> mesh) {
   s.doubts = s.model.soil.mesh.doubts;
   for (Doubt& doubt : loading_doubts(s.model)) s.doubts.push_back(std::move(doubt));
   for (Doubt& doubt : analysis::radian_doubts(friction_angles(s.model))) s.doubts.push_back(std::move(doubt));
+  for (Doubt& doubt : unit_doubts(s.model)) s.doubts.push_back(std::move(doubt));
   s.bare_stresses = document.bare("Pa");
   std::erase_if(s.bare_stresses, [](const BareNumber& number) {
     return !number.key.starts_with("traction.") && number.key != "soil.initial_stress" &&
