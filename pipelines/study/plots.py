@@ -167,6 +167,7 @@ def draw(name, tables, beside=()):
                   if table.has(panel.abscissa.column) for note in _left_out(label, table, panel)]
         _curves(a, panel, lines, tables)
         notes += _beside(a, panel, lines, beside)
+        notes += [note for note in _strains(panel, lines, (*tables, *beside)) if note not in notes]
         label = panel.label or lines[0].axis
         figures.label(a, panel.abscissa.axis, label, pure=[label] if all(line.unit == "1" for line in lines) else ())
         if panel.log:
@@ -208,6 +209,20 @@ def _beside(axes, panel, lines, beside):
             words = label if len(lines) == 1 else f"{label}: {line.words}"
             figures.points(axes, *_pairs(table, panel, line), inks[t % len(inks)], words)
     return notes
+
+
+def _strains(panel, lines, tables):
+    """Returns a doubt for each drawn strain without "%" in its header that exceeds 1: perhaps it is in per cent."""
+    doubts = []
+    for label, table in tables:
+        for line in (panel.abscissa, *lines):
+            if line.unit != "%" or not table.has(line.column) or table.unit(line.column) not in ("", "-", "1"):
+                continue
+            most = numpy.nanmax(numpy.abs(table(line.column, "1", missing=True)), initial=0)
+            if most > 1:
+                doubts.append(f"doubt: {label}: {line.column} reaches {most:.4g}, which is {100 * most:.4g} %; "
+                              f"if {most:.4g} % is meant, head it {line.column} [%]")
+    return doubts
 
 
 def _rose(tables):

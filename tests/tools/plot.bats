@@ -43,6 +43,15 @@ setup() {
   [[ $output == "$(cat table.svg)" ]] || show "standard output has another figure"
 }
 
+@test "strains above 1 without a unit are doubted, with --quiet too" {
+  printf 'strain_axial\tstress_ratio [1]\n0\t1\n5\t1.5\n' > bare.tsv
+  exits 0 plot stress-strain run.h5 --quiet --beside bare.tsv -o bare.svg
+  [[ $stderr == "plot: doubt: bare: strain_axial reaches 5, which is 500 %; if 5 % is meant, head it strain_axial [%]" ]] || show
+  sed 's/strain_axial/strain_axial [%]/' bare.tsv > headed.tsv
+  exits 0 plot stress-strain run.h5 --quiet --beside headed.tsv -o headed.svg
+  [[ -z $stderr ]] || show "the remedy does not work"
+}
+
 @test "fabric and roses come from the tool that makes them, pictures in every format" {
   exits 0 plot fabric run.h5 -o fabric.pdf
   exits 0 plot rose run.h5 -o rose.png
