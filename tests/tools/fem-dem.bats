@@ -247,7 +247,7 @@ mesh() {
 }
 
 @test "what breaks is named, and left to be looked at" {
-  mentions 70 fem-dem "of the geosynthetic broke: its tension of" --quiet elastic.toml --set geosynthetic.strength=500 -o out.h5
+  mentions 70 fem-dem "of the geosynthetic broke: its tension of" --quiet elastic.toml --set "geosynthetic.strength=500 N/m" -o out.h5
   # shellcheck disable=SC2154  # set by mentions
   [[ $stderr == *"step "* && $stderr == *"out.h5.part/stopped.h5 shows it"* ]] || show "no state to look at"
   to-vtk --quiet out.h5.part/stopped.h5 -o broken
@@ -353,7 +353,7 @@ TOML
   while read -r key value words; do
     # A strength that is far too small breaks bars in the trial steps.
     call fem-dem --check elastic.toml --set "$key=$value"
-    [[ $stderr == *"fem-dem: doubt: $key is $value $words, convert it"* ]] || show "wanted a doubt about $key"
+    [[ $stderr == *"fem-dem: doubt: $key is $value $words, convert it, else write its unit"* ]] || show "wanted a doubt about $key"
   done << 'TABLE'
 soil.density 2.254 kg/m3, as no soil has: if it is in g/cm3 or kN/m3
 soil.density 22.5 kg/m3, as no soil has: if it is in g/cm3 or kN/m3

@@ -64,7 +64,8 @@ struct StrainStations {
 
 /// Reads axial_strain and increment, or an explicit list `stations`, and rate.
 StrainStations read_strain_stations(Settings& table);
-/// Returns strains at multiples of `step`, the last one `end`. Reports a mistake if they are more than a million.
+/// Returns strains at multiples of `step`, the last one `end`. Reports a mistake if they are more than a million, or if
+/// a step of 5 % or more is beyond `end`, since it is likelier meant in per cent.
 std::vector<double> stations_every(double step, double end, Settings& table);
 /// Reads max_rate of the stress-controlled axes, 1/s.
 double read_max_rate(Settings& table);

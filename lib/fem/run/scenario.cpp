@@ -313,16 +313,17 @@ std::vector<double> friction_angles(const ModelSetup& m) {
   return angles;
 }
 
-// Returns doubts about numbers that no soil or geosynthetic has, as those in another unit.
-std::vector<Doubt> unit_doubts(const ModelSetup& m) {
+// Returns doubts about numbers without a unit that no soil or geosynthetic has, as those in another unit.
+std::vector<Doubt> unit_doubts(const ModelSetup& m, const Settings& document) {
   // The lightest peat has 200 kg/m3 and 0.1 MPa. Nonwovens have 0.1 kg/m2 and 10 kN/m, strips of steel 40 kg/m2.
   constexpr double lightest = 200, softest = 1e5, heaviest = 100, slackest = 1e3;
   std::vector<Doubt> doubts;
   const auto doubt = [&](bool odd, std::string_view key, double value, std::string_view unit, std::string_view others) {
-    if (odd)
+    const std::vector<BareNumber> bare = document.bare(unit);
+    if (odd && std::ranges::any_of(bare, [&](const BareNumber& number) { return number.key == key; }))
       doubts.push_back({fmt::format("unit-{}", key.substr(key.find('.') + 1)),
-                        fmt::format("{} is {:.4g} {}, as no {} has: if it is in {}, convert it", key, value, unit,
-                                    key.substr(0, key.find('.')), others)});
+                        fmt::format("{} is {:.4g} {}, as no {} has: if it is in {}, convert it, else write its unit",
+                                    key, value, unit, key.substr(0, key.find('.')), others)});
   };
   doubt(m.soil.density > 0 && m.soil.density < lightest, "soil.density", m.soil.density, "kg/m3", "g/cm3 or kN/m3");
   if (m.law) doubt(m.law->young_modulus < softest, "soil.young_modulus", m.law->young_modulus, "Pa", "kPa or MPa");
@@ -373,7 +374,7 @@ Scenario read_scenario(Settings& document, std::optional<Mesh> mesh) {
   s.doubts = s.model.soil.mesh.doubts;
   for (Doubt& doubt : loading_doubts(s.model)) s.doubts.push_back(std::move(doubt));
   for (Doubt& doubt : analysis::radian_doubts(friction_angles(s.model))) s.doubts.push_back(std::move(doubt));
-  for (Doubt& doubt : unit_doubts(s.model)) s.doubts.push_back(std::move(doubt));
+  for (Doubt& doubt : unit_doubts(s.model, document)) s.doubts.push_back(std::move(doubt));
   s.bare_stresses = document.bare("Pa");
   std::erase_if(s.bare_stresses, [](const BareNumber& number) {
     return !number.key.starts_with("traction.") && number.key != "soil.initial_stress" &&
