@@ -64,9 +64,13 @@ $(C4_FORMS:%=$(C4O)/%_shape.tsv): $(C4O)/%_shape.tsv: $(C4O)/%.h5 ;
 $(C4O)/alone.h5: $(BIN)/pack-generate $(C4O)/alone.settings
 	@mkdir -p $(@D)
 	@$(BIN)/pack-generate --grains $(C4_GRAINS_$(PROFILE)) --void-ratio 0.68 --pressure 1e4 --seed 1 --threads 1 --quiet --force -o $@
-$(C4O)/soil.h5: $(C4O)/alone.h5 $(C4)/triaxial.toml $(BIN)/run-dem
+# The soil alone has no nodes, fill or yarns, so that its scenario has no tables of theirs.
+$(C4O)/soil.toml: $(C4)/triaxial.toml
+	@mkdir -p $(@D)
+	@awk '/^\[\[?(material|geotextile)/ { out = 1 } /^\[\[?(grains|equilibrium|stage)/ { out = 0 } !out' $< $(call whole,$@)
+$(C4O)/soil.h5: $(C4O)/alone.h5 $(C4O)/soil.toml $(BIN)/run-dem
 	@echo '  run   $@'
-	@$(BIN)/run-dem $< $(C4)/triaxial.toml --threads 1 --quiet --resume --force -o $@
+	@$(BIN)/run-dem $< $(C4O)/soil.toml --threads 1 --quiet --resume --force -o $@
 
 # % is the form and the geotextile, as in wrapped_PE; states are kept where a section is drawn.
 c4_form = $(word 1,$(subst _, ,$*))
