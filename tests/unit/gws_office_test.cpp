@@ -230,9 +230,9 @@ TEST(GwsEstimate, ASofterSoilSettlesMore) {
       }
 }
 
-// Returns stiffnesses and ratios of ultimate surcharges, solution over kept run, from misfits.tsv: for bags ("0, bag")
-// or cells ("10").
-std::vector<BesideGrains> kept_runs(const std::string& lateral) {
+// Returns stiffnesses, ratios of ultimate surcharges, solution over kept run, differences of settlement, and lateral
+// stresses from misfits.tsv, of bags or of cells, in the order of the library.
+std::vector<BesideGrains> kept_runs(bool bags) {
   std::ifstream file("pipelines/ch5/kept/misfits.tsv");
   EXPECT_TRUE(file) << "run the tests from the top folder";
   std::vector<BesideGrains> runs;
@@ -240,19 +240,23 @@ std::vector<BesideGrains> kept_runs(const std::string& lateral) {
     std::vector<std::string> words;
     std::istringstream row(line);
     for (std::string word; std::getline(row, word, '\t');) words.push_back(word);
-    if (words.at(0) == "Table 5.2" && words.at(2) == lateral)
-      runs.push_back({find_geotextile(words.at(1)).stiffness, std::stod(words.at(3))});
+    if (words.at(0) != "Table 5.2" || (words.at(2) == "0, bag") != bags) continue;
+    runs.push_back({find_geotextile(words.at(1)).stiffness, std::stod(words.at(3)), std::stod(words.at(6)),
+                    bags ? 0 : 1e3 * std::stod(words.at(2))});
   }
+  std::ranges::stable_sort(runs, {}, &BesideGrains::lateral);
   return runs;
 }
 
 TEST(GwsBesideGrains, IsWhatTheKeptRunsTell) {
-  for (const auto& [runs, lateral] : {std::pair(bags_of_grains(), "0, bag"), std::pair(cells_of_grains(), "10")}) {
-    const std::vector<BesideGrains> kept = kept_runs(lateral);
-    ASSERT_EQ(runs.size(), kept.size()) << lateral;
+  for (const auto& [runs, bags] : {std::pair(bags_of_grains(), true), std::pair(cells_of_grains(), false)}) {
+    const std::vector<BesideGrains> kept = kept_runs(bags);
+    ASSERT_EQ(runs.size(), kept.size()) << bags;
     for (std::size_t k = 0; k < kept.size(); ++k) {
-      EXPECT_DOUBLE_EQ(runs[k].ratio, kept[k].ratio) << lateral << ' ' << k;
-      EXPECT_NEAR(runs[k].stiffness, kept[k].stiffness, 1e-9 * kept[k].stiffness) << lateral << ' ' << k;
+      EXPECT_DOUBLE_EQ(runs[k].ratio, kept[k].ratio) << bags << ' ' << k;
+      EXPECT_NEAR(runs[k].stiffness, kept[k].stiffness, 1e-9 * kept[k].stiffness) << bags << ' ' << k;
+      EXPECT_DOUBLE_EQ(runs[k].settlement, kept[k].settlement) << bags << ' ' << k;
+      EXPECT_DOUBLE_EQ(runs[k].lateral, kept[k].lateral) << bags << ' ' << k;
     }
     const auto [least, most] = std::ranges::minmax(kept, {}, &BesideGrains::ratio);
     const std::string span = std::to_string(std::lround(100 * least.ratio - 100)) + "-" +
@@ -267,16 +271,23 @@ TEST(GwsBesideGrains, TellsTheRunsOnBothSidesOfAStiffness) {
     bag.geotextile.stiffness = stiffness;
     return beside_grains(bag);
   };
-  EXPECT_NE(told(232e3).find("bags of discrete elements in the same geotextile, is 1.07 with 232 kN/m.\n"),
+  EXPECT_NE(told(232e3).find("bags of discrete elements in the same geotextile, is 1.07 with 232 kN/m; its settlement "
+                             "differs by +0.5 % of the height.\n"),
             std::string::npos);
-  EXPECT_NE(told(300e3).find(" is 1.07 with 232 kN/m and 1.04 with 464 kN/m.\n"), std::string::npos);
-  EXPECT_NE(told(20e3).find(" is 1.15 with 53 kN/m.\n"), std::string::npos);
-  EXPECT_NE(told(5e6).find(" is 1.00 with 1160 kN/m.\n"), std::string::npos);
+  EXPECT_NE(told(300e3).find(" is 1.07 with 232 kN/m and 1.04 with 464 kN/m; its settlement differs by +0.5 and +0.4 % "
+                             "of the height.\n"),
+            std::string::npos);
+  EXPECT_NE(told(20e3).find(" is 1.15 with 53 kN/m;"), std::string::npos);
+  EXPECT_NE(told(5e6).find(" is 1.00 with 1160 kN/m;"), std::string::npos);
   for (const LateralStress& lateral : {LateralStress::constant(20e3), LateralStress{{0, 1e5}, {0, 2e4}}}) {
     bag.lateral = lateral;
-    EXPECT_NE(told(232e3).find("under 10 kPa of lateral stress in the same geotextile, is 1.20 with 232 kN/m.\n"),
+    EXPECT_NE(told(232e3).find("under 10 kPa of lateral stress in the same geotextile, is 1.20 with 232 kN/m;"),
               std::string::npos);
   }
+  bag.lateral = LateralStress::constant(75e3);
+  EXPECT_NE(told(53e3).find("under 100 kPa of lateral stress in the same geotextile, is 1.09 with 53 kN/m; its "
+                            "settlement differs by +7.8 % of the height.\n"),
+            std::string::npos);
 }
 
 TEST(GwsBesideGrains, SaysNothingWhereNoRunIsComparable) {

@@ -3,17 +3,32 @@
 #include "gws/design/beside_grains.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <string_view>
+#include <vector>
 
 namespace soilweave::gws {
 namespace {
 
-constexpr std::array<BesideGrains, 7> bags{
-    {{53e3, 1.15}, {116e3, 1.07}, {232e3, 1.07}, {464e3, 1.04}, {696e3, 1.01}, {928e3, 1.06}, {1160e3, 1.00}}};
-constexpr std::array<BesideGrains, 3> cells{{{53e3, 1.17}, {232e3, 1.20}, {1160e3, 1.28}}};
+constexpr std::array<BesideGrains, 7> bags{{{53e3, 1.15, -0.327},
+                                            {116e3, 1.07, -0.129},
+                                            {232e3, 1.07, 0.495},
+                                            {464e3, 1.04, 0.39},
+                                            {696e3, 1.01, -0.353},
+                                            {928e3, 1.06, 0.615},
+                                            {1160e3, 1.00, -0.586}}};
+constexpr std::array<BesideGrains, 8> cells{{{53e3, 1.17, 1.32, 10e3},
+                                             {232e3, 1.20, 0.691, 10e3},
+                                             {1160e3, 1.28, 1.47, 10e3},
+                                             {53e3, 1.11, 3.82, 50e3},
+                                             {232e3, 1.14, 2.46, 50e3},
+                                             {1160e3, 1.30, 2.67, 50e3},
+                                             {53e3, 1.09, 7.82, 100e3},
+                                             {232e3, 1.10, 3.42, 100e3}}};
 
 bool comparable(const Case& bag) {
   const Bag thesis;
@@ -27,12 +42,24 @@ std::string sentence(std::span<const BesideGrains> runs, double stiffness, std::
   const auto above = std::lower_bound(runs.begin(), runs.end(), stiffness * (1 - 1e-3),
                                       [](const BesideGrains& run, double J) { return run.stiffness < J; });
   const bool alone = above == runs.begin() || above == runs.end() || above->stiffness <= stiffness * (1 + 1e-3);
-  const BesideGrains& nearest = above == runs.end() ? runs.back() : *above;
-  const auto told = [](const BesideGrains& run) {
-    return fmt::format("{:.2f} with {:.4g} kN/m", run.ratio, run.stiffness / 1e3);
-  };
-  return fmt::format("The solution's load at failure, over that of full-size {} in the same geotextile, is {}{}.\n",
-                     what, alone ? "" : told(*(above - 1)) + " and ", told(nearest));
+  const auto first = alone ? std::min(above, runs.end() - 1) : above - 1;
+  std::vector<std::string> ratios, settlements;
+  for (const BesideGrains& run : std::span(first, alone ? 1 : 2)) {
+    ratios.push_back(fmt::format("{:.2f} with {:.4g} kN/m", run.ratio, run.stiffness / 1e3));
+    settlements.push_back(fmt::format("{:+.1f}", run.settlement));
+  }
+  return fmt::format(
+      "The solution's load at failure, over that of full-size {} in the same geotextile, is {}; its settlement differs "
+      "by {} % of the height.\n",
+      what, fmt::join(ratios, " and "), fmt::join(settlements, " and "));
+}
+
+// Returns the cells whose lateral stress is nearest, as a ratio.
+std::span<const BesideGrains> cells_under(double lateral) {
+  const auto off = [lateral](const BesideGrains& run) { return std::abs(std::log(run.lateral / lateral)); };
+  const double nearest = std::ranges::min_element(cells, {}, off)->lateral;
+  const auto found = std::ranges::equal_range(cells, nearest, {}, &BesideGrains::lateral);
+  return {found.begin(), found.end()};
 }
 
 }  // namespace
@@ -44,9 +71,12 @@ std::span<const BesideGrains> cells_of_grains() { return cells; }
 std::string beside_grains(const Case& bag) {
   if (!comparable(bag)) return "";
   const double J = bag.geotextile.stiffness;
-  const bool beside = std::ranges::any_of(bag.lateral.lateral, [](double stress) { return stress > 0; });
-  return beside ? sentence(cells, J, "cells of discrete elements under 10 kPa of lateral stress")
-                : sentence(bags, J, "bags of discrete elements");
+  const auto most = std::ranges::max_element(bag.lateral.lateral);
+  if (most == bag.lateral.lateral.end() || !(*most > 0)) return sentence(bags, J, "bags of discrete elements");
+  const auto runs = cells_under(*most);
+  return sentence(
+      runs, J,
+      fmt::format("cells of discrete elements under {:.4g} kPa of lateral stress", runs.front().lateral / 1e3));
 }
 
 }  // namespace soilweave::gws

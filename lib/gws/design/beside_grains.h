@@ -9,20 +9,22 @@
 
 namespace soilweave::gws {
 
-/// Ultimate surcharge of the solution for Toyoura sand over that of a full-size run.
+/// Ultimate load of the solution for Toyoura sand beside that of a full-size run.
 struct BesideGrains {
-  /// Tensile stiffness of the geotextile, N/m; ratio of the surcharges, 1.
-  double stiffness, ratio;
+  /// Tensile stiffness of the geotextile, N/m; the solution's surcharge over the run's, 1; its settlement less the
+  /// run's, % of the height; lateral stress of the run, Pa.
+  double stiffness, ratio, settlement, lateral = 0;
 };
 
 /// Returns the seven bags of chapter 5, by rising stiffness (pipelines/ch5/kept/misfits.tsv).
 std::span<const BesideGrains> bags_of_grains();
-/// Returns the cells of wrapped soil under 10 kPa of lateral stress, by rising stiffness (same table).
+/// Returns the cells of wrapped soil, by rising lateral stress and stiffness (same table).
 std::span<const BesideGrains> cells_of_grains();
 
-/// Returns how the ultimate load of `bag` compares with that of the runs nearest in stiffness, as a line. The line is
-/// empty where no run is comparable: another soil than Toyoura sand, another bag, a compacted one, or a failure that is
-/// not counted at half of the whole strength.
+/// Returns how the ultimate load of `bag` compares with that of the runs nearest in lateral stress (as a ratio) and
+/// stiffness, as a line. A lateral stress that varies counts with its greatest value. The line is empty where no run is
+/// comparable: another soil than Toyoura sand, another bag, a compacted one, or a failure that is not counted at half
+/// of the whole strength.
 std::string beside_grains(const Case& bag);
 
 }  // namespace soilweave::gws
