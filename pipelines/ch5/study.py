@@ -333,9 +333,12 @@ def build_of_grains(study, grains):
     put_misfits(study, grains)
 
 
-def draw_of_grains(study, grains):
-    """Draws the figures of bags and cells of grains. A figure whose runs are missing is left out."""
-    for draw in pictures.OF_ALL:
+def draw_of_grains(study, grains, beside=()):
+    """Draws the figures of bags and cells of grains, and those in `beside`, functions of the same arguments.
+
+    A figure whose runs are missing is left out.
+    """
+    for draw in (*pictures.OF_ALL, *beside):
         try:
             draw(study, grains)
         except NotMade as reason:
@@ -349,9 +352,8 @@ def build_kept(arguments):
     study.expect(HERE / "grains.tsv", GRAINS, table="grains")
     grains = Grains(study.out, arguments.solutions, "not among the kept runs")
     build_of_grains(study, grains)
-    draw_of_grains(study, grains)
-    for draw in (draw_uniaxial, draw_triaxial):
-        draw(study, Runs(arguments.solutions), grains)
+    runs = Runs(arguments.solutions)
+    draw_of_grains(study, grains, [lambda study, grains: draw_uniaxial(study, runs, grains), lambda study, grains: draw_triaxial(study, runs, grains)])
     return study
 
 
