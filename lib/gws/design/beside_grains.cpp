@@ -59,8 +59,8 @@ std::string sentence(std::span<const BesideGrains> runs, double stiffness, std::
 std::span<const BesideGrains> cells_under(double lateral) {
   const auto off = [lateral](const BesideGrains& run) { return std::abs(std::log(run.lateral / lateral)); };
   const double nearest = std::ranges::min_element(cells, {}, off)->lateral;
-  const auto found = std::ranges::equal_range(cells, nearest, {}, &BesideGrains::lateral);
-  return {found.begin(), found.end()};
+  const auto begin = std::ranges::lower_bound(cells, nearest, {}, &BesideGrains::lateral);
+  return {begin, std::ranges::upper_bound(begin, cells.end(), nearest, {}, &BesideGrains::lateral)};
 }
 
 }  // namespace
