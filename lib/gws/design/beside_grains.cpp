@@ -3,13 +3,12 @@
 #include "gws/design/beside_grains.h"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <string>
 #include <string_view>
-#include <vector>
 
 namespace soilweave::gws {
 namespace {
@@ -37,22 +36,20 @@ bool comparable(const Case& bag) {
          bag.usable_share() == 0.5 && !bag.initial_settlement && !bag.initial_surcharge;
 }
 
-// Returns a sentence about the two runs that enclose `stiffness`. Names only one run if it has this stiffness, or if
+// Returns lines about the two runs that enclose `stiffness`. They name only one run if it has this stiffness, or if
 // `stiffness` lies outside the runs.
-std::string sentence(std::span<const BesideGrains> runs, double stiffness, std::string_view what) {
+std::string lines(std::span<const BesideGrains> runs, double stiffness, std::string_view what) {
   const auto above = std::lower_bound(runs.begin(), runs.end(), stiffness * (1 - 1e-3),
                                       [](const BesideGrains& run, double J) { return run.stiffness < J; });
   const bool alone = above == runs.begin() || above == runs.end() || above->stiffness <= stiffness * (1 + 1e-3);
   const auto first = alone ? std::min(above, runs.end() - 1) : above - 1;
-  std::vector<std::string> ratios, settlements;
-  for (const BesideGrains& run : std::span(first, alone ? 1 : 2)) {
-    ratios.push_back(fmt::format("{:.2f} with {:.4g} kN/m", run.ratio, run.stiffness / 1e3));
-    settlements.push_back(fmt::format("{:+.1f}", run.settlement));
-  }
-  return fmt::format(
-      "The solution's load at failure, over that of full-size {} in the same geotextile, is {}; its settlement differs "
-      "by {} % of the height.\n",
-      what, fmt::join(ratios, " and "), fmt::join(settlements, " and "));
+  std::string text = fmt::format("Beside full-size {} in the same geotextile, the solution bears at failure\n", what);
+  for (const BesideGrains& run : std::span(first, alone ? 1 : 2))
+    text += fmt::format(
+        "  {:.2f} times their load with {:.4g} kN/m, at a settlement that differs by {:+.1f} % of the "
+        "height\n",
+        run.ratio, run.stiffness / 1e3, run.settlement);
+  return text;
 }
 
 // Returns the cells whose lateral stress is nearest, as a ratio.
@@ -73,9 +70,9 @@ std::string beside_grains(const Case& bag) {
   if (!comparable(bag)) return "";
   const double J = bag.geotextile.stiffness;
   const auto most = std::ranges::max_element(bag.lateral.lateral);
-  if (most == bag.lateral.lateral.end() || !(*most > 0)) return sentence(bags, J, "bags of discrete elements");
+  if (most == bag.lateral.lateral.end() || !(*most > 0)) return lines(bags, J, "bags of discrete elements");
   const auto runs = cells_under(*most);
-  return sentence(
+  return lines(
       runs, J,
       fmt::format("cells of discrete elements under {:.4g} kPa of lateral stress", runs.front().lateral / 1e3));
 }

@@ -22,7 +22,7 @@ std::span<const BesideGrains> bags_of_grains();
 std::span<const BesideGrains> cells_of_grains();
 
 /// Returns how the ultimate load of `bag` compares with that of the runs nearest in lateral stress (as a ratio) and
-/// stiffness, as a line. A lateral stress that varies counts with its greatest value. The line is empty where no run is
+/// stiffness, as lines. A lateral stress that varies counts with its greatest value. They are empty where no run is
 /// comparable: another soil than Toyoura sand, another bag, a compacted one, or a failure that is not counted at half
 /// of the whole strength.
 std::string beside_grains(const Case& bag);
