@@ -61,7 +61,8 @@ C5_UC := $(C5_GEOTEXTILES:%=$(C5O)/uc_%.h5)
 # Final strains, 2 % or more past the greatest load. Stiffer geotextiles reach it later. A torn bag takes most of the steps.
 C5_FAR_quick := PE=0.15 0.5PP=0.15 PP=0.14 2PP=0.16 3PP=0.17 4PP=0.18 5PP=0.19
 C5_FAR_thesis := $(C5_GEOTEXTILES:%=%=0.20)
-c5_far = --set stage.1.strain=$(patsubst $*=%,%,$(filter $*=%,$(C5_FAR_$(PROFILE))))
+# $(call c5_far,GEOTEXTILE)
+c5_far = --set stage.1.strain=$(patsubst $(1)=%,%,$(filter $(1)=%,$(C5_FAR_$(PROFILE))))
 # At full size chapter 3 has compressed two of them as far, and recorded their states.
 C5_OF_C3_thesis := PE PP
 C5_OF_C3 := $(C5_OF_C3_$(PROFILE):%=$(C5O)/uc_%.h5)
@@ -77,7 +78,7 @@ $(filter-out $(C5_OF_C3),$(C5_UC)): $(C5O)/uc_%.h5: $(C3O)/bag.h5 $(C3)/uc.toml 
   $(C3O)/load.settings $(C5O)/uc_%.settings
 	@mkdir -p $(@D)
 	@echo '  run   $@'
-	@$(call compress,$*,$(c5_far) --set record.strains=$(or $(C5_STATES_$*),$(C5_STATES)))
+	@$(call compress,$*,$(call c5_far,$*) --set record.strains=$(or $(C5_STATES_$*),$(C5_STATES)))
 $(C5_UC:%.h5=%.tsv): $(C5O)/%.tsv: $(C5O)/%.h5 $(BIN)/homogenize
 	@$(BIN)/homogenize $< --table loading --tsv $(call whole,$@)
 C5_VOLUMES := step,volume_of_interest,centre_x,centre_y,principal_1,principal_2,principal_3,$\

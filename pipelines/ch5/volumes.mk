@@ -17,8 +17,7 @@ $(C5V_RUNS:%=%.h5): $(C5V)/%.h5: $(C3L)/$$(*D)/bag.h5 $(C3)/uc.toml $(BIN)/run-d
   $(C5O)/$$(*F).settings
 	@mkdir -p $(@D)
 	@echo '  run   $@'
-	@$(call compress,$(c5v_geotextile),$(patsubst $(c5v_geotextile)=%,--set stage.1.strain=%,$(filter $(c5v_geotextile)=%,$(C5_FAR_$(PROFILE)))) \
-	  --set record.strains=$(C5_STATES))
+	@$(call compress,$(c5v_geotextile),$(call c5_far,$(c5v_geotextile)) --set record.strains=$(C5_STATES))
 $(C5V_RUNS:%=%.tsv): $(C5V)/%.tsv: $(C5V)/%.h5 $(BIN)/homogenize
 	@$(BIN)/homogenize $< --table loading --tsv $(call whole,$@)
 $(foreach v,$(C5V_VOLUMES),$(eval $(call c5_own,$(C5V)/$v)))
