@@ -266,3 +266,24 @@ def test_constants_of_several_volumes_have_their_scatter(tmp_path):
     assert told["alpha"] == "MPa\t25\t24\t4\t20\t28\t3"
     with pytest.raises(StudyError, match="no scatter: give at least two files"):
         volumes.COMMANDS["constants"](paths[0])
+
+
+def test_reasons_tell_the_numbers_of_the_kept_cells():
+    runs = Grains(chapter.HERE / "kept", chapter.HERE / "kept")
+    cells = {(g, p): runs.cell(g, p) for g in SHEARED for p in PRESSURES}
+    rows = [line.split("\t") for line in (chapter.HERE / "kept/misfits.tsv").read_text().splitlines()]
+    of_table = {(row[1], row[2]): dict(zip(rows[0], row, strict=True)) for row in rows if row[0] == "Table 5.2"}
+    inside = [numpy.mean([float(of_table[g, p]["axial stress inside, model over DEM"]) for p in PRESSURES]) for g in SHEARED]
+    at_8 = {p: int(abs(cells["PE", p]["strain_axial"] - 8).argmin()) for p in PRESSURES}
+    tensions = [cells["PE", p].table("yarn_tension_face", "N")[row] for p, row in at_8.items()]
+    slopes = [cell.path_slopes[0] for cell in cells.values()]
+    dilations = [cell.dilation for cell in cells.values()]
+    far = of_table["PE", "100"]
+    told = " ".join((chapter.HERE / "words.toml").read_text().replace("\\\n", "").split())
+    for words in ("{:.1f}, {:.1f} and {:.1f} N at 10, 50 and 100 kPa".format(*tensions),
+                  "{:.2f} and {:.2f} in the mean over the lateral stresses. In 5PP it is {:.2f}".format(*inside),
+                  f"from {max(slopes):.2f} with PE at 100 kPa to {min(slopes):.2f} with 5PP at 10 kPa",
+                  f"between {min(dilations):.2f} and {max(dilations):.2f}, both with 5PP",
+                  f"settles by {float(far['final settlement, model less DEM (%)']):.1f} % more than the PE cell at 100 kPa",
+                  f"strain at the end is {-float(far['volumetric strain at the end, model less DEM (%)']):.1f} % less"):
+        assert words in told, words
