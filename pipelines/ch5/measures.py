@@ -14,6 +14,7 @@ from .grains import PRESSURES, RECORDED, SHEARED, SOILS, UNIAXIAL, Copies, stren
 BESIDE_RECORD = ("first_break", "peak_axial", "peak_strain", "peak_pressure", "peak_pressure_strain", "obliquity_ratio", "contraction",
                  "equal_tension_lateral", "equal_tension_axial", "equal_tension_pressure", "energy_error")
 COMPARED_AT = 8  # % of strain at which stresses are compared
+EARLY = 5  # % of axial strain, well before failure
 OWN = ("C_t", "kappa", "lambda", "xi", "p_1", "p_2", "alpha", "beta")
 
 
@@ -245,8 +246,8 @@ def failure(grains, p):
 def misfit(model, run):
     """Returns the differences of the model from a run, up to the run's greatest surcharge, as numbers by name.
 
-    capacity, axial, lateral: the model's greatest values over the run's. settlement, volumetric: difference in % at the end. rms_...:
-    root mean square of the differences at equal axial strain, % of the run's greatest value.
+    capacity, axial, lateral: the model's greatest values over the run's. early: its surcharge over the run's at EARLY. settlement, volumetric:
+    difference in % at the end. rms_...: root mean square of the differences at equal axial strain, % of the run's greatest value.
     """
     rows = slice(run.peak + 1)
     strain = run["strain_axial"][rows]
@@ -254,6 +255,7 @@ def misfit(model, run):
     found = {"capacity": model("surcharge", "kPa").max() / run["surcharge"].max(),
              "axial": model("axial_stress", "kPa").max() / run["axial_stress"].max(),
              "lateral": model("radial_stress", "kPa").max() / run["radial_stress"].max(),
+             "early": numpy.interp(EARLY, model("strain_axial", "%"), model("surcharge", "kPa")) / run.where("strain_axial", EARLY, "surcharge"),
              "settlement": model("strain_axial", "%")[-1] - strain[-1],
              "volumetric": model("strain_volumetric", "%")[-1] - run["strain_volumetric"][run.peak]}
     for name, column in columns.items():
@@ -271,9 +273,10 @@ def misfits(grains, soil):
     return there({(g, p): lambda g=g, p=p, run=run: misfit(grains.model(soil, g, p), run) for (g, p), run in runs.items()})
 
 
-MISFITS = ("capacity", "axial", "lateral", "settlement", "volumetric", "rms_surcharge", "rms_axial", "rms_lateral")
+MISFITS = ("capacity", "axial", "lateral", "early", "settlement", "volumetric", "rms_surcharge", "rms_axial", "rms_lateral")
 HEADS = ("ultimate surcharge, model over DEM", "axial stress inside, model over DEM", "lateral stress inside, model over DEM",
-         "final settlement, model less DEM (%)", "volumetric strain at the end, model less DEM (%)",
+         f"surcharge at {EARLY} % of axial strain, model over DEM", "final settlement, model less DEM (%)",
+         "volumetric strain at the end, model less DEM (%)",
          "surcharge, RMS difference over the greatest (%)", "axial stress inside, RMS difference over the greatest (%)",
          "lateral stress inside, RMS difference over the greatest (%)")
 

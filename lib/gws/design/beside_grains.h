@@ -9,11 +9,12 @@
 
 namespace soilweave::gws {
 
-/// Ultimate load of the solution for Toyoura sand beside that of a full-size run.
+/// Load of the solution for Toyoura sand beside that of a full-size run.
 struct BesideGrains {
-  /// Tensile stiffness of the geotextile, N/m; the solution's surcharge over the run's, 1; its settlement less the
-  /// run's, % of the height; lateral stress of the run, Pa.
-  double stiffness, ratio, settlement, lateral = 0;
+  /// Tensile stiffness of the geotextile, N/m; the solution's surcharge over the run's, 1, at failure and at a
+  /// settlement of 5 % of the height; its settlement at failure less the run's, % of the height; lateral stress of the
+  /// run, Pa.
+  double stiffness, ratio, early, settlement, lateral = 0;
 };
 
 /// Returns the seven bags of chapter 5, by rising stiffness (pipelines/ch5/kept/misfits.tsv).
