@@ -46,7 +46,7 @@ $(SETTINGS:%=$(OUT)/%.settings): $(OUT)/%.settings: always
 .PHONY: $(KEEPING:%=%-keep) $(KEEPING:%=%-compare)
 $(KEEPING:%=%-keep): %-keep: $(BIN)/to-vtk
 	@$(if $(filter thesis,$(PROFILE)),,$(error $@: of PROFILE=thesis only))mkdir -p pipelines/$*/kept
-	@$(if $(filter %.tsv,$^),cp $(filter %.tsv,$^) pipelines/$*/kept)
+	@$(if $(filter %.tsv,$^),cd $(OUT)/$* && cp --parents $(patsubst $(OUT)/$*/%,%,$(filter %.tsv,$^)) $(CURDIR)/pipelines/$*/kept)
 	@for run in $(ENDED_$*); do $(BIN)/to-vtk --history $(OUT)/$*/$$run.h5 $(call whole,pipelines/$*/kept/$$run.txt) && echo "  keep  $$run" || exit; done
 	@$(MAKE) --no-print-directory $*-compare
 $(KEEPING:%=%-compare): %-compare: $(STUDY)

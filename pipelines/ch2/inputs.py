@@ -7,6 +7,7 @@ import sys
 import numpy
 from study import StudyError, Table
 
+LAWS = {"cl": "linear", "hm": "Hertz–Mindlin"}
 PARAMETERS = {"young_modulus": "Pa", "poisson_ratio": "1", "rolling_stiffness": "1", "rolling_limit": "1", "friction_angle": "deg"}
 
 

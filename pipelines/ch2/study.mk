@@ -75,10 +75,13 @@ $(C2O)/peak_%MPa.tsv: $(C2)/inputs.py data/laboratory/toyoura_peak_obliquity.tsv
 
 .SECONDEXPANSION:
 C2_RUN := $(filter-out %.toml,$(wildcard $(CALIBRATION)/*)) pipelines/study/jobs.py $(BIN)/run-dem $(BIN)/homogenize
-$(C2O)/%/posterior.h5: $$(c2_prior) $$(c2_packing) $$(c2_scenario) $$(c2_observed) $(C2O)/settings pipelines/calibrate.sh $(C2_RUN) $(BIN)/pf-weight $(BIN)/plot | $$(c2_after)
-	@BIN=$(BIN) pipelines/calibrate.sh --prior $(c2_prior) --packing $(c2_packing) --law $(c2_law) --scenario $(c2_scenario) \
-	  --test $(c2_observed) "$(c2_pressure) MPa" $(if $(c2_curve),$(C2_ALONG),$(C2_PEAK)) --stations 0 --bases $(C2_BASES) \
-	  --samples $(subst $() ,$(comma),$(strip $(C2_SAMPLES))) --rounds $(words $(C2_SAMPLES)) --effective-size 0 $(C2O)/$*
+C2_CALIBRATION := $(C2O)/settings pipelines/calibrate.sh $(C2_RUN) $(BIN)/pf-weight $(BIN)/plot
+# Options and the folder are the argument.
+c2_calibrate = BIN=$(BIN) pipelines/calibrate.sh --prior $(c2_prior) --packing $(c2_packing) --law $(c2_law) --scenario $(c2_scenario) \
+  --test $(c2_observed) "$(c2_pressure) MPa" $(if $(c2_curve),$(C2_ALONG),$(C2_PEAK)) --stations 0 --bases $(C2_BASES) \
+  --samples $(subst $() ,$(comma),$(strip $(C2_SAMPLES))) --rounds $(words $(C2_SAMPLES)) --effective-size 0 $(1)
+$(C2O)/%/posterior.h5: $$(c2_prior) $$(c2_packing) $$(c2_scenario) $$(c2_observed) $(C2_CALIBRATION) | $$(c2_after)
+	@$(call c2_calibrate,$(C2O)/$*)
 # Tables of all rounds of a case. They are made together with the posterior.
 C2_OF_ROUNDS := $(foreach r,$(C2_ROUNDS),$(foreach t,steps density,round$(r)_$(t).tsv))
 $(foreach t,$(C2_OF_ROUNDS),$(C2_CASES:%=$(C2O)/%/$(t))): $$(@D)/posterior.h5 ;
@@ -90,15 +93,29 @@ $(C2O)/%/check.tsv: $(C2)/inputs.py $(C2O)/%/$(C2_LAST)_steps.tsv $$(c2_thesis) 
 $(C2O)/%/checked: $(C2O)/%/check.tsv $$(c2_packing) $$(c2_scenario) $(C2_RUN)
 	@BIN=$(BIN) $(CALIBRATION)/ensemble.sh $< $(C2O)/$*/check $(c2_law) $(c2_packing) $(c2_scenario) $(c2_pressure) $$(tail -n 1 $(c2_curve) | cut -f 1)
 	@touch $@
-c2_check = $(BIN)/pf-weight assimilate $(C2O)/$*/check.tsv $(c2_curve) --prior $(c2_prior) --runs '$(C2O)/$*/check/runs/{id:06}/series.h5' \
+# The argument is the folder of the runs.
+c2_check = $(BIN)/pf-weight assimilate $(C2O)/$*/check.tsv $(c2_curve) --prior $(c2_prior) --runs '$(1)/check/runs/{id:06}/series.h5' \
   --where stage=1 --station strain_axial --observe stress_ratio --observe strain_volumetric --error 1 --quiet --tsv --table
 # Misfits of these runs up to the strain at which sets are compared (near), and over the whole laboratory curve (whole); and their curves.
 $(C2O)/%/check_near.tsv $(C2O)/%/check_whole.tsv $(C2O)/%/check_curves.tsv: $(C2O)/%/checked $(BIN)/pf-weight
-	@$(c2_check) runs --until $(C2_STRAIN) $(call whole,$(@D)/check_near.tsv)
-	@$(foreach of,whole:runs curves:curves,$(c2_check) $(lastword $(subst :, ,$(of))) $(call whole,$(@D)/check_$(firstword $(subst :, ,$(of))).tsv) || exit;)
+	@$(call c2_check,$(@D)) runs --until $(C2_STRAIN) $(call whole,$(@D)/check_near.tsv)
+	@$(foreach of,whole:runs curves:curves,$(call c2_check,$(@D)) $(lastword $(subst :, ,$(of))) \
+	  $(call whole,$(@D)/check_$(firstword $(subst :, ,$(of))).tsv) || exit;)
 
 C2_CHECKED := $(foreach c,$(C2_CASES),$(if $(wildcard data/laboratory/toyoura_drained_triaxial_$(word 3,$(subst _, ,$(c)))MPa.tsv),$(c)))
 C2_TABLES := $(foreach c,$(C2_CASES),$(foreach r,$(C2_ROUNDS),$(foreach t,steps density,$(C2O)/$(c)/round$(r)_$(t).tsv))) \
   $(foreach t,near whole curves,$(C2_CHECKED:%=$(C2O)/%/check_$(t).tsv))
-$(C2O)/page.html: $(C2)/study.py $(C2)/inputs.py $(C2)/words.toml $(C2)/expected.tsv $(C2)/statements.tsv $(STUDY) $(C2_TABLES) $(C2O)/cases
+C2_PY := $(wildcard $(C2)/*.py $(C2)/*.tsv $(C2)/words.toml)
+$(C2O)/page.html: $(C2)/study.py $(C2_PY) $(STUDY) $(C2_TABLES) $(C2O)/cases $(wildcard $(C2)/kept/*.tsv $(C2)/kept/*/*.tsv)
 	@$(STUDY_PY) $< $(C2O) --profile $(PROFILE) --cases $(C2_CASES) --samples $(C2_SAMPLES) --until $(C2_STRAIN) --error $(C2_ERROR)
+
+# Kept are cases that are finished; each has a folder.
+KEEPING += ch2
+C2_ENDED := $(filter $(C2_CASES),$(patsubst $(C2O)/%/posterior.h5,%,$(wildcard $(C2_CASES:%=$(C2O)/%/posterior.h5))))
+ENDED_ch2 := $(C2_ENDED:%=%/posterior)
+BESIDE_ch2 = --cases $(notdir $(patsubst %/posterior.txt,%,$(wildcard $(C2)/kept/*/posterior.txt))) --samples $(C2_SAMPLES_thesis) \
+  --until $(C2_STRAIN_thesis) --error $(C2_ERROR)
+ch2-keep: $(foreach c,$(C2_ENDED),$(filter $(C2O)/$(c)/%,$(C2_TABLES))) ## keep the tables of finished thesis-size cases of ch2 (PROFILE=thesis)
+ch2-compare: $(C2_PY) ## compare and draw the kept cases of ch2 anew
+
+include $(C2)/rates.mk

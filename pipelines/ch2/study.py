@@ -5,13 +5,12 @@ import functools
 import pathlib
 
 import numpy
-from ch2.inputs import PARAMETERS
+from ch2.inputs import LAWS, PARAMETERS
 from study import Drawn, Folder, NotMade, Series, Study, Table, figures, main, panel
 from study.quantities import quantity
 
 HERE = pathlib.Path(__file__).parent
 LABORATORY = "data/laboratory/toyoura_drained_triaxial_{}MPa.tsv"
-LAWS = {"cl": "linear", "hm": "Hertz–Mindlin"}
 RADII = {1000: figures.BLUE, 2000: figures.ORANGE, 5000: figures.GREEN}  # colour of a number of grains
 # The misfits of a checked run: name, table, column.
 MISFITS = (("ratio", "near", "stress_ratio_misfit_relative"), ("volume", "near", "strain_volumetric_misfit"),
@@ -106,18 +105,29 @@ def measure(study, cases):
             case("hm_1000_8").identified(name, PARAMETERS[name]) / case("hm_1000_0.2").identified(name, PARAMETERS[name]) - 1), "1")
 
 
-def draw_identified(study, cases):
+def kept_cases(folder):
+    """Returns the cases of full-size runs whose tables are kept in a folder, by name."""
+    return {path.parent.name: Case(folder, path.parent.name, len(list(path.parent.glob("round*_steps.tsv"))))
+            for path in sorted(folder.glob("*/round1_steps.tsv"))}
+
+
+def draw_identified(study, cases, kept):
     """Draws the answer: each identified parameter over the thesis's value."""
     known = [case for case in cases if case.curve and case.thesis()]
     if not known:
         return "the parameters beside the thesis's, which has none for these cases"
     figure, axes = figures.panels(len(known), height=3)
     for a, case in zip(axes, known, strict=True):
-        thesis, last = case.thesis(), case.steps[-1]
+        thesis = case.thesis()
+        of_both = [(case, figures.BLUE, "this run", 0)]
+        if case.name in kept:
+            of_both.append((kept[case.name], figures.GREEN, "full size", 0.25))
         for k, (name, unit) in enumerate(PARAMETERS.items()):
             given = thesis(name, unit)[0]
-            a.plot([last(f"{name}{end}", unit)[-1] / given for end in ("_low", "_high")], [k, k], color=figures.BLUE, linewidth=3, alpha=0.4)
-            a.plot(case.identified(name, unit) / given, k, "o", color=figures.BLUE)
+            for of, colour, words, lower in of_both:
+                ends = [of.steps[-1](f"{name}{end}", unit)[-1] / given for end in ("_low", "_high")]
+                a.plot(ends, [k + lower] * 2, color=colour, linewidth=3, alpha=0.4)
+                a.plot(of.identified(name, unit) / given, k + lower, "o", color=colour, label="" if k else words)
         a.axvline(1, color=figures.INK, linewidth=1)
         a.set_xscale("log", base=2)
         a.xaxis.set_major_formatter("{x:g}")
@@ -125,18 +135,22 @@ def draw_identified(study, cases):
         a.invert_yaxis()
         figures.label(a, "identified over the thesis's", "", ["identified over the thesis's", ""])
         a.set_title(str(case))
+        if len(of_both) > 1:
+            a.legend()
     study.figure("identified", figure)
     return None
 
 
 def draw_means(law, number):
     """Returns the function that draws Fig. 2.1 or 2.2: weighted means over axial strain at 0.2 MPa."""
-    def draw(study, cases):
+    def draw(study, cases, kept):
         own = [case for case in cases if case.law == law and case.pressure == "0.2"]
         if not own:
             return f"{number}: no case of {LAWS[law]} contacts at 0.2 MPa"
         means = [Drawn("" if r else f"{case.grains} grains", Series(table), RADII.get(case.grains, colour), "--" if r else "-")
                  for case, colour in zip(own, figures.SERIES, strict=False) for r, table in enumerate(case.steps)]
+        means += [Drawn(f"{case.grains} grains, full size", Series(kept[case.name].steps[-1]), figures.INK, ":")
+                  for case in own if case.name in kept]
         study.curves(f"means_{law}", *(panel("strain_axial", name, means, legend=name == "effective_size",
                                              yscale="log" if name in ("young_modulus", "effective_size") else "linear")
                                        for name in (*PARAMETERS, "effective_size")), columns=3, height=6)
@@ -144,9 +158,9 @@ def draw_means(law, number):
     return draw
 
 
-def draw_pressure(study, cases):
-    """Draws Fig. 2.3: identified means over confining pressure."""
-    means = []
+def draw_pressure(study, cases, kept):
+    """Draws Fig. 2.3: identified means over confining pressure, of kept runs where there are some."""
+    means, cases = [], list(kept.values()) or cases
     for law, colour in zip(LAWS, figures.SERIES, strict=False):
         own = sorted((case for case in cases if case.law == law and case.grains == 1000), key=lambda case: float(case.pressure))
         columns = {name: [case.identified(name, quantity(name).unit) for case in own] for name in PARAMETERS}
@@ -159,7 +173,7 @@ def draw_pressure(study, cases):
     return None
 
 
-def draw_prediction(study, cases):
+def draw_prediction(study, cases, kept):
     """Draws Fig. 2.4: the test with the identified parameters, and with the thesis's, beside the laboratory."""
     panels = []
     for case in [case for case in cases if case.curve]:
@@ -168,6 +182,9 @@ def draw_prediction(study, cases):
         for id_ in numpy.unique(curves["id"]):
             colour, line, words = (figures.BLUE, "-", "identified") if id_ < 10 else (figures.ORANGE, "--", "the thesis's set")
             drawn.append(Drawn("" if id_ % 10 else words, Series(curves.rows(curves["id"] == id_)), colour, line))
+        if case.name in kept:
+            curves = kept[case.name].folder("check_curves")
+            drawn.append(Drawn("identified at full size", Series(curves.rows(curves["id"] == 0)), figures.GREEN, "-."))
         panels += [panel("strain_axial", name, drawn, legend=name == "stress_ratio", xlim=(0, None), title=str(case))
                    for name in ("stress_ratio", "strain_volumetric")]
     if not panels:
@@ -191,16 +208,24 @@ def draw_density(study, case):
                           f"strains{'; dashed: sets of all rounds at the end' if case.density[1:] else ''}. The density of E is per decade.")
 
 
-def draw(study, cases):
-    """Draws all figures, and adds a remark on figures that these cases and rounds do not give."""
+def draw(study, cases, kept):
+    """Draws all figures, with kept cases beside those of this run, and adds a remark on figures that these cases and rounds do not give."""
     drawers = (draw_identified, draw_means("cl", "Fig. 2.1"), draw_means("hm", "Fig. 2.2"), draw_pressure, draw_prediction)
-    left_out = [reason for drawer in drawers if (reason := drawer(study, cases))]
+    left_out = [reason for drawer in drawers if (reason := drawer(study, cases, kept))]
     for case in cases:
         draw_density(study, case)
     if len(cases[0].steps) == 1:
         left_out.append("means and densities of later rounds, since one round was made")
     if left_out:
         study.remark(f"Not drawn: {'; '.join(left_out)}.")
+
+
+def tell(study, cases, arguments):
+    """Gives the texts of the page what they name."""
+    first = [next(case for case in cases.values() if case.law == law) for law in dict.fromkeys(case.law for case in cases.values())]
+    study.tell(samples=arguments.samples, until=f"{arguments.until:g}", error=", ".join(arguments.error.split(",")), first=first,
+               fits=[case for case in first if case.curve and study.measures[f"ratio_{case.name}"].value is not None],
+               few=[case for case in cases.values() if study.measures[f"size_last_{case.name}"].value < len(PARAMETERS) + 1])
 
 
 def build(arguments):
@@ -212,12 +237,11 @@ def build(arguments):
         if case.curve:
             study.accept(f"ratio_{case.name}", "at most", 12, "%", f"stress ratio: RMS difference of the identified set from the laboratory, {case}")
             study.accept(f"volume_{case.name}", "at most", 1, "%", f"volumetric strain: RMS difference of the identified set from the laboratory, {case}")
-    first = [next(case for case in cases.values() if case.law == law) for law in dict.fromkeys(case.law for case in cases.values())]
-    study.tell(samples=arguments.samples, until=f"{arguments.until:g}", error=", ".join(arguments.error.split(",")), first=first,
-               fits=[case for case in first if case.curve and study.measures[f"ratio_{case.name}"].value is not None],
-               few=[case for case in cases.values() if study.measures[f"size_last_{case.name}"].value < len(PARAMETERS) + 1])
-    draw(study, list(cases.values()))
-    for case in cases.values():
+    if not arguments.kept:
+        tell(study, cases, arguments)
+    kept = {} if study.judged else kept_cases(HERE / "kept")
+    draw(study, list(cases.values()), kept)
+    for case in {} if arguments.kept else cases.values():
         study.text(f"Posterior as pf-weight reports it: {case}", case.folder.path / f"round{len(case.steps)}_posterior.txt")
     return study
 

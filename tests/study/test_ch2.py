@@ -8,7 +8,7 @@ import types
 import numpy
 import pytest
 from calibration import ensemble
-from ch2 import inputs
+from ch2 import inputs, rates
 from ch2 import study as chapter
 from ch2.inputs import PARAMETERS
 from ch2.study import Case
@@ -145,13 +145,46 @@ def test_each_column_that_is_renamed_is_missed_by_name(out):
         return {name: Case(out, name, 2) for name in some}
 
     def drawing(draw, *some):
-        return lambda: draw(Undrawn("ch2", "", out, "quick"), list(all_cases(some or cases[:1]).values()))
+        return lambda: draw(Undrawn("ch2", "", out, "quick"), list(all_cases(some or cases[:1]).values()), {})
     readers = [lambda: inputs.peak(observed, 0.2), lambda: inputs.sets([known], 1),
                lambda: chapter.measure(Undrawn("ch2", "", out, "quick"), all_cases(cases)), drawing(chapter.draw_identified),
                drawing(chapter.draw_prediction), *[lambda name=name: chapter.draw_density(Undrawn("ch2", "", out, "quick"), Case(out, name, 2))
                                                    for name in cases], drawing(chapter.draw_means("hm", "Fig. 2.2")),
                drawing(chapter.draw_pressure, "hm_1000_0.2", "hm_1000_1", "hm_1000_8")]
     assert demand_columns(readers) > 50
+
+
+def test_kept_cases_are_compared_and_drawn_without_a_page(out):
+    study = chapter.build(types.SimpleNamespace(out=out, profile="quick", kept=True, cases=["hm_1000_0.2"], samples=[6, 4], until=6.0, error="0.1,0.025,0.1"))
+    study.write_tables()
+    assert "Hertz–Mindlin contacts, 0.2 MPa\t1\t9.615\t± 0.3\t9.602\t-0.0129 (-0.1 %)\tmet" in (out / "comparison.tsv").read_text()
+    assert not (out / "page.html").exists()
+
+
+def test_kept_cases_are_shown_beside_those_of_a_quick_run(out, monkeypatch):
+    kept = chapter.kept_cases(out)
+    assert list(kept) == ["cl_1000_0.2", "hm_1000_0.2", "hm_1000_1", "hm_1000_8"] and len(kept["hm_1000_1"].steps) == 2
+    monkeypatch.setattr(chapter, "kept_cases", lambda folder: kept)
+    shown = []
+    monkeypatch.setattr(Undrawn, "curves", lambda self, name, *panels, **_: shown.extend(run.name for panel in panels for run in panel.runs))
+    study = build(out, "hm_1000_0.2")
+    assert "identified" in study._drawings and {"1000 grains, full size", "identified at full size", "Hertz–Mindlin"} <= set(shown)
+
+
+def test_rates_of_loading_are_compared_set_by_set(out):
+    fast, slow = out / "fast", out / "slow"
+    for folder, more in ((fast, 0), (slow, 0.2)):
+        write_case(folder, "hm_1000_0.2", 2, scale=1 + more)
+        strains = numpy.repeat(rates.STRAINS, 2)
+        write(folder / "hm_1000_0.2/check_curves.tsv", id=("1", [0, 1, 0, 1, 0, 1, 10]), strain_axial=("%", [*strains, rates.STRAINS[0]]),
+              stress_ratio=("1", [3 + more, 3.2 + more, 4, 4, 4, 4, 9]), strain_volumetric=("%", [0.1] * 7))
+    table = rates.table(fast, slow, 2, ["hm_1000_0.2"]).splitlines()
+    assert table[1] == "Hertz–Mindlin\tidentified E\tGPa\t4\t0.2\t4.8\t0.24"
+    assert table[6] == "Hertz–Mindlin\tstress ratio σₐ/σᵣ of the study's set at 1.02 %\t1\t3.1\t0.141\t3.3\t0.141" and len(table) == 12
+    write(fast / "hm_1000_0.2/check_curves.tsv", id=("1", [0]), strain_axial=("%", [rates.STRAINS[0]]), stress_ratio=("1", [3]),
+          strain_volumetric=("%", [0.1]))
+    with pytest.raises(StudyError, match=r"at 1.02 % of axial strain there are 1 runs of the identified set"):
+        rates.table(fast, slow, 2, ["hm_1000_0.2"])
 
 
 def test_inputs_are_what_runs_and_filter_read(out, tmp_path):
