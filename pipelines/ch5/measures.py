@@ -83,14 +83,14 @@ def scaled_hoops(grains, geotextile, kind):
 
 
 def recorded_hoops(grains, geotextile, kind):
-    """Returns the slope of a set of hoops in the record of a bag, scaled to the record of PP."""
+    """Returns slope and deviation of a set of hoops in the record of a bag, scaled to the record of PP."""
     def tension(record):
         return vertical_hoop(record["tension_yarn_face"], record.table("tension_yarn_vertical", "N")) if kind == "hr" \
             else record["tension_yarn_side_around"]
     record, middling = grains.record[geotextile], grains.record["PP"]
     load = middling["plate_pressure"]
     scales = load.max(), tension(middling)[load.argmax()]
-    return hoops(record["plate_pressure"], tension(record), record.whole.stop, scales)[0]
+    return hoops(record["plate_pressure"], tension(record), record.whole.stop, scales)
 
 
 def measure_hoops(study, grains):
@@ -100,7 +100,9 @@ def measure_hoops(study, grains):
             study.measure(f"hoop_{kind}_{g}", lambda g=g, kind=kind: scaled_hoops(grains, g, kind)[0], "1")
             study.measure(f"hoop_{kind}_bends_{g}", lambda g=g, kind=kind: scaled_hoops(grains, g, kind)[1], "%")
         for g in RECORDED:
-            study.measure(f"recorded_hoop_{kind}_{g}", recorded_hoops(grains, g, kind), "1")
+            slope, deviation = recorded_hoops(grains, g, kind)
+            study.measure(f"recorded_hoop_{kind}_{g}", slope, "1")
+            study.measure(f"recorded_hoop_{kind}_bends_{g}", deviation, "%")
 
         def fan(kind=kind):
             slopes = numpy.array([scaled_hoops(grains, g, kind)[0] for g in UNIAXIAL])

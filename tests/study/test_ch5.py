@@ -135,8 +135,9 @@ def test_a_line_is_scaled_and_its_distance_told(folder):
     slope, bend = measures.hoops(load, tension, 3, (2, 3))
     assert slope == pytest.approx((0.5 * 2 / 3 + 1 * 2) / 1.25)
     assert bend == pytest.approx(100 * abs(2 / 3 - 0.5 * slope) / 2)
-    assert measures.recorded_hoops(Grains(folder, folder), "PE", "hr") == pytest.approx(0.83, abs=0.005)
-    assert measures.recorded_hoops(Grains(folder, folder), "3PP", "ha") == pytest.approx(0.94, abs=0.005)
+    # The greatest deviations are those that chapter 5 gives for its figure: 2 % and 2 to 4 %.
+    assert measures.recorded_hoops(Grains(folder, folder), "PE", "hr") == pytest.approx((0.83, 2.3), abs=0.02)
+    assert measures.recorded_hoops(Grains(folder, folder), "3PP", "ha") == pytest.approx((0.94, 3.0), abs=0.03)
 
 
 def test_measures_of_bags_by_hand(study):
