@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "calibration/assimilation.h"
 #include "calibration/output/options.h"
+#include "calibration/output/report.h"
 #include "calibration/proposal.h"
 #include "calibration/sampling.h"
 #include "core/cli/tool.h"
@@ -57,14 +57,16 @@ struct Draw {
     const io::TextFile text = io::read_text(prior, "prior");
     const calibration::Prior ranges = calibration::parse_prior(text.text, prior.string());
     const Ensemble drawn = calibration::members_at(ranges, points(ranges.size(), invocation.seed), first_id);
-    output.put(calibration::ensemble_file(drawn), calibration::members_table(drawn), "", {text.source}, invocation);
+    output.put(calibration::ensemble_file(drawn), calibration::members_table(drawn), "", {text.source}, invocation,
+               calibration::doubts(ranges));
   }
 
   calibration::Matrix points(std::size_t dimension, std::uint64_t seed) const {
     const auto rows = static_cast<std::size_t>(samples);
     const auto start = static_cast<std::uint64_t>(first);
-    if (method == "sobol") return calibration::sobol(rows, dimension, start);
     if (method == "latin-hypercube") return calibration::latin_hypercube(rows, dimension, seed);
+    if (seed != 0) throw UsageError("--seed has no effect on a sequence; for other sets of it give --first, as 101");
+    if (method == "sobol") return calibration::sobol(rows, dimension, start);
     const auto chosen = bases.empty() ? calibration::prime_bases(dimension) : calibration::parse_bases(bases);
     if (chosen.size() != dimension)
       throw UsageError(
@@ -102,6 +104,7 @@ struct Assimilate {
     std::vector<std::string> wrong;
     if (runs.empty()) wrong.emplace_back("no runs: give --runs, as 'runs/{id}/run.h5'");
     comparison.check(wrong);
+    io::check_table(output.tsv, table, "steps", wrong);
     output.check(wrong, false);
   }
 
@@ -115,7 +118,8 @@ struct Assimilate {
         calibration::observations(io::from_tsv(text.text, observations.string()), choice, observations.string());
     if (goes_on) calibration::demand_new(members.weighings, text.source, observed);
     std::vector<Doubt> doubts = calibration::doubts(members, goes_on);
-    auto simulated = calibration::simulated(runs, members.id, observed, choice, sources);
+    for (Doubt& doubt : comparison.doubts(observed)) doubts.push_back(std::move(doubt));
+    auto simulated = calibration::simulated(runs, members.id, observed, choice, sources, members.parameters());
     const auto done =
         calibration::assimilate(std::move(members), std::move(observed), std::move(simulated), comparison.model(),
                                 comparison.least_size, comparison.chosen_stations(), goes_on);
@@ -151,21 +155,17 @@ struct Resample {
     t.seed();
   }
 
-  void validate() const { output.check({}, true); }
+  void validate() const {
+    std::vector<std::string> wrong;
+    if (method == "kernel" && components != 5)
+      wrong.emplace_back("--components: only a mixture has Gaussians to count");
+    output.check(wrong, true);
+  }
 
   void run(const tool::Invocation& invocation) const {
     std::vector<io::Source> sources;
     const Ensemble before = calibration::read_ensemble(posterior, {}, sources);
-    if (before.weight.size() == 0)
-      throw DataError(fmt::format("{}: has no weights; assimilate observations first", posterior.string()));
-    if (!(before.weight.sum() > 0))
-      throw DataError(
-          fmt::format("{}: all weights are zero: no set is left to go on from; assimilate again, with a larger --error",
-                      posterior.string()));
-    if (keep && before.rounds.empty())
-      throw DataError(
-          fmt::format("{}: does not record the distribution of its sets; draw them anew, or resample without --keep",
-                      posterior.string()));
+    calibration::demand_weights(before, posterior.string(), keep);
     double power = 1;
     const auto weight = calibration::tempered(before.weight, least_size * static_cast<double>(before.size()), power);
     const auto points = before.coordinates();

@@ -54,12 +54,4 @@ std::vector<io::FieldsFile::Group> groups_of(const Assimilation& a);
 /// which the runs hold.
 io::Series table_of(const Assimilation& a, const std::vector<io::FieldsFile::Group>& groups, std::string_view name);
 
-/// Returns doubts: unused runs, rows of unknown ids, runs that are all far from the observations (25 variances each, or
-/// half of an observable's root mean square). If weights are told also degeneracy, observations that tell nothing.
-std::vector<Doubt> doubts(const Assimilation& a, bool weights_told = true);
-/// Returns a message if all likelihoods of a step are zero in double precision.
-std::optional<std::string> all_zero(const Assimilation& a);
-/// Describes unused runs, error model, some steps, and final parameters.
-std::string describe(const Assimilation& a);
-
 }  // namespace soilweave::calibration

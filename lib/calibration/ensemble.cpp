@@ -31,11 +31,7 @@ io::Series table_of(const Ensemble& e, bool importance) {
   io::Series table;
   const std::vector<double> id(e.id.begin(), e.id.end());
   table.columns.push_back({"id", "1", "number that stays with the parameter set and names its run", id});
-  for (std::size_t k = 0; k < e.prior.size(); ++k) {
-    const Range& range = e.prior.ranges[k];
-    table.columns.push_back(
-        {range.name, range.unit, range.long_name, column_of(e.values.col(static_cast<Eigen::Index>(k)))});
-  }
+  for (io::Column& column : e.parameters().columns) table.columns.push_back(std::move(column));
   if (importance)
     table.columns.push_back(
         {importance_name, "1", "log of the prior density over the density drawn from", column_of(e.log_importance)});
@@ -140,7 +136,26 @@ Prior spanned(const io::Series& table, const std::string& where) {
   return prior;
 }
 
+/// Returns the columns that differ between sets and belong to no parameter.
+std::vector<std::string> unused_columns(const io::Series& table, const Prior& prior) {
+  std::vector<std::string> known = prior.names(), unused;
+  for (const char* name : {"id", importance_name, weight_name}) known.emplace_back(name);
+  for (const io::Column& column : table.columns)
+    if (std::ranges::count(known, column.name) == 0 &&
+        std::ranges::any_of(column.values, [&](double value) { return value != column.values.front(); }))
+      unused.push_back(column.name);
+  return unused;
+}
+
 }  // namespace
+
+io::Series Ensemble::parameters() const {
+  io::Series table;
+  for (std::size_t k = 0; k < prior.size(); ++k)
+    table.columns.push_back(
+        {prior.ranges[k].name, prior.ranges[k].unit, prior.ranges[k].long_name, column_of(values.col(index(k)))});
+  return table;
+}
 
 Matrix Ensemble::coordinates() const {
   Matrix all(values.rows(), values.cols());
@@ -199,6 +214,7 @@ Ensemble read_ensemble(const std::filesystem::path& path, const std::filesystem:
     const io::Series table = io::from_tsv(text.text, where);
     Ensemble members = from_table(table, given ? *given : spanned(table, where), where);
     members.assumed_prior = !given;
+    members.unused = unused_columns(table, members.prior);
     return members;
   }
   const io::EnsembleFile file = io::read_ensemble(path);

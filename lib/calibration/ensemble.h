@@ -31,9 +31,13 @@ struct Ensemble {
   bool assumed_prior = false;
   /// Calls whose observations the weights include, from the history of the file.
   std::vector<Weighing> weighings;
+  /// Columns of a table that differ between sets and that its prior lacks.
+  std::vector<std::string> unused;
 
   /// Returns the number of members.
   std::size_t size() const { return id.size(); }
+  /// Returns the parameters alone, one row per member.
+  io::Series parameters() const;
   /// Returns the prior's coordinates, one row per member.
   Matrix coordinates() const;
   /// Returns log weights by importance alone; the weights sum to 1.

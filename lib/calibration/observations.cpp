@@ -8,6 +8,7 @@
 #include <cmath>
 #include <map>
 
+#include "calibration/run_doubts.h"
 #include "core/error.h"
 #include "core/text/number_word.h"
 #include "core/text/text.h"
@@ -88,8 +89,9 @@ Matrix greatest_values(const std::vector<std::vector<double>>& columns, const Ob
   return values;
 }
 
-/// Returns a run at the stations. Throws Unfit.
-Matrix at_stations(const io::Series& whole, const Observations& observed, const Choice& choice) {
+/// Returns a run at the stations, and widens the widest gap between rows. Throws Unfit.
+Matrix at_stations(const io::Series& whole, const Observations& observed, const Choice& choice, std::int64_t id,
+                   WidestGap& widest) {
   const io::Series run = selected(whole, choice.where);
   std::vector<std::vector<double>> columns;  // read first, since a missing column is a mistake of the user
   for (const Observable& what : observed.observables) columns.push_back(column_of(run, what));
@@ -103,7 +105,7 @@ Matrix at_stations(const io::Series& whole, const Observations& observed, const 
       throw Unfit{Fate::unordered,
                   fmt::format("{} does not increase from row {} to {}", observed.station.name, r, r + 1)};
   }
-  const double slack = 1e-6 * (std::abs(observed.at.back()) + std::abs(observed.at.front()));
+  const double slack = observed.rounding();
   const auto& name = observed.station.name;
   if (x.back() < observed.at.back() - slack)
     throw Unfit{Fate::too_short,
@@ -125,6 +127,7 @@ Matrix at_stations(const io::Series& whole, const Observations& observed, const 
       values(index(t), index(c)) = value;
     }
   }
+  widest.compare(x, id);
   return values;
 }
 
@@ -210,6 +213,8 @@ std::string_view word(Fate fate) {
   return "";
 }
 
+double Observations::rounding() const { return 1e-6 * (std::abs(at.back()) + std::abs(at.front())); }
+
 std::size_t Simulated::used() const {
   return static_cast<std::size_t>(std::count(fate.begin(), fate.end(), Fate::used));
 }
@@ -230,6 +235,17 @@ Observations observations(const io::Series& table, const Choice& choice, const s
     for (const io::Column& column : table.columns)
       if (column.name != found.station.name) found.observables.push_back(observable(column.name, table));
   if (found.observables.empty()) throw DataError(where + ": nothing observed beside " + found.station.name);
+  for (std::size_t k = 0; k < found.observables.size(); ++k) {
+    const std::string& name = found.observables[k].name;
+    if (std::count_if(found.observables.begin(), found.observables.end(),
+                      [&](const Observable& other) { return other.name == name; }) > 1)
+      throw DataError(fmt::format("{}: {} is to be observed twice, and would count twice: name it once", where, name));
+    if (name == found.station.name && !choice.greatest)
+      throw DataError(
+          fmt::format("{}: {} is the station, at which every run agrees with it: leave it out of --observe, or name "
+                      "another --station",
+                      where, name));
+  }
   const std::vector<double>& at = table.at(found.station.name).values;
   std::size_t rows = 0;
   const double limit = last_station(choice.until, found.station, where);
@@ -266,27 +282,36 @@ Observations observations(const io::Series& table, const Choice& choice, const s
 }
 
 Simulated simulated(const std::string& pattern, const std::vector<std::int64_t>& ids, const Observations& observed,
-                    const Choice& choice, std::vector<io::Source>& sources) {
+                    const Choice& choice, std::vector<io::Source>& sources, const io::Series& sets) {
   Simulated all;
+  WidestGap widest(observed);
+  OtherSets others(sets, observed, choice);
   const bool one_table = pattern.find('{') == std::string::npos;
   std::map<std::int64_t, io::Series> members;
   if (one_table) {
     const io::TextFile text = io::read_text(pattern, "runs");
     sources.push_back(text.source);
     const io::Series table = io::from_tsv(text.text, pattern);
-    if (!choice.greatest) column_of(table, observed.station);
+    try {
+      if (!choice.greatest) column_of(table, observed.station);
+      table.at("id");
+    } catch (const DataError& error) {
+      throw DataError(fmt::format("{}: {}", pattern, error.what()));
+    }
     members = by_member(table, pattern);
     for (const auto& [id, rows] : members)
       if (std::ranges::count(ids, id) == 0) all.unknown.push_back(id);
   }
   std::vector<std::pair<std::int64_t, io::Source>> read;
-  for (const std::int64_t id : ids) {
+  for (std::size_t member = 0; member < ids.size(); ++member) {
+    const std::int64_t id = ids[member];
     try {
       if (one_table && !members.contains(id))
         throw Unfit{Fate::missing, fmt::format("{}: no rows with id {}", pattern, id)};
       const io::SeriesFile file = one_table ? io::SeriesFile{members.at(id), {}} : read_member(path_of(pattern, id));
       if (!one_table) read.emplace_back(id, file.source);
-      all.values.push_back(at_stations(file.series, observed, choice));
+      all.values.push_back(at_stations(file.series, observed, choice, id, widest));
+      others.compare(file.series, id, member);
       all.fate.push_back(Fate::used);
       all.why.emplace_back();
     } catch (const Unfit& unfit) {
@@ -298,6 +323,8 @@ Simulated simulated(const std::string& pattern, const std::vector<std::int64_t>&
     }
   }
   if (!one_table) sources.push_back(together(read));
+  widest.doubt(all.doubts);
+  others.doubt(all.doubts);
   return all;
 }
 

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "calibration/prior.h"
+#include "core/doubts.h"
 #include "files/files.h"
 
 namespace soilweave::calibration {
@@ -32,6 +33,8 @@ struct Observations {
 
   /// Returns the number of stations.
   std::size_t stations() const { return at.size(); }
+  /// Returns the distance by which rounding alone may move a station.
+  double rounding() const;
 };
 
 /// Selection from tables.
@@ -49,7 +52,7 @@ struct Choice {
 };
 
 /// Returns the observations of a table. Throws DataError for NaN (line and column), stations that do not increase, an
-/// empty selection, and several rows with Choice::greatest.
+/// empty selection, a column that is selected twice, and several rows with Choice::greatest.
 Observations observations(const io::Series& table, const Choice& choice, const std::string& where);
 
 /// Fate of a member's run.
@@ -66,6 +69,9 @@ struct Simulated {
   std::vector<std::string> why;
   /// Ids in a table of all runs that no member has; their rows are left out.
   std::vector<std::int64_t> unknown;
+  /// "coarse": stations lie within a wide gap between rows of a run. "other_sets": runs name other parameters than
+  /// their members have.
+  std::vector<Doubt> doubts;
 
   /// Returns the number of members with a used run.
   std::size_t used() const;
@@ -73,8 +79,9 @@ struct Simulated {
 
 /// Returns the runs. A `pattern` with {id} (fmt's forms, {id:06}) names one HDF5 run or TSV per member; else it is one
 /// TSV with column id. Values are interpolated between rows, never beyond; Choice::greatest takes the greatest of the
-/// rows. Simulated::fate marks missing and unfit runs. Throws DataError for a missing column.
+/// rows. Simulated::fate marks missing and unfit runs. `sets` (optional) holds the members' parameters, one row each.
+/// Throws DataError for a missing column.
 Simulated simulated(const std::string& pattern, const std::vector<std::int64_t>& ids, const Observations& observed,
-                    const Choice& choice, std::vector<io::Source>& sources);
+                    const Choice& choice, std::vector<io::Source>& sources, const io::Series& sets = {});
 
 }  // namespace soilweave::calibration

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
+#include <numbers>
 #include <set>
 
 #include "core/error.h"
@@ -71,6 +72,9 @@ std::string_view name_of(Scale scale) { return scale == Scale::log ? "log" : "li
 // Relative difference up to which two bounds are equal, since one may be written with fewer digits.
 constexpr double rounding_of_bound = 1e-9;
 
+// Young's modulus, Pa, beyond every material; diamond has 1.2e12.
+constexpr double stiffest = 5e12;
+
 bool same_range(const Range& a, const Range& b) {
   const auto close = [](double x, double y) {
     return std::abs(x - y) <= rounding_of_bound * std::max(std::abs(x), std::abs(y));
@@ -126,6 +130,25 @@ Prior parse_prior(std::string_view text, const std::string& where) {
   Prior prior = read_prior(document);
   document.finish();
   return prior;
+}
+
+std::vector<Doubt> doubts(const Prior& prior) {
+  for (const Range& range : prior.ranges) {
+    std::string remedy;
+    if (range.unit == "deg" && range.low >= 0 && range.high <= std::numbers::pi / 2)
+      remedy = fmt::format("if radians are meant, write low = {:.4g} and high = {:.4g}", range.low / degree,
+                           range.high / degree);
+    double pascals = 0;
+    try {
+      pascals = range.high * unit_factor(range.unit, "Pa");
+    } catch (const DataError&) {
+    }
+    if (pascals > stiffest) remedy = fmt::format("no material is as stiff; if Pa are meant, give unit = \"Pa\"");
+    if (!remedy.empty())
+      return {{"prior_unit", fmt::format("{} lies between {:.4g} and {:.4g} {}; {}", range.name, range.low, range.high,
+                                         range.unit, remedy)}};
+  }
+  return {};
 }
 
 bool same_ranges(const Prior& a, const Prior& b) {

@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "core/doubts.h"
 #include "core/text/settings.h"
 
 namespace soilweave::calibration {
@@ -49,6 +50,9 @@ struct Prior {
 Prior read_prior(Settings& document);
 /// Reads a prior's TOML whole. Throws DataError with every mistake, each naming `where`.
 Prior parse_prior(std::string_view text, const std::string& where);
+/// Returns "prior_unit" if a range of angles in degrees lies within half a turn in radians, or one of stresses beyond
+/// every material: its numbers are those of another unit.
+std::vector<Doubt> doubts(const Prior& prior);
 /// Returns whether both have the same parameters with the same units, scales and ranges, in any order.
 bool same_ranges(const Prior& a, const Prior& b);
 /// Returns a line for people: each parameter with its range, unit and scale.

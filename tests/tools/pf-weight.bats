@@ -129,6 +129,8 @@ PY
   refuses 64 draw "--bases 2,4: 2 and 4 share a factor, so that the points would lie on lines; choose others" \
     prior.toml --bases 2,4 --tsv
   refuses 64 draw "--bases 2,3,5: 3 for 2 parameters; give one for each" prior.toml --bases 2,3,5 --tsv
+  refuses 64 draw "--seed has no effect on a sequence; for other sets of it give --first, as 101" prior.toml --seed 2 --tsv
+  exits 0 pf-weight draw prior.toml -n 2 --first 101 --tsv
   refuses 64 draw "--bases: only the Halton sequence has bases" prior.toml --bases 2,3 --method sobol --tsv
   refuses 66 draw "none.toml: no such file; check the name" none.toml --tsv
   printf '[[parameter]]\nname = "E"\nscale = "log"\nlow = 0\nhigh = 1\n' > bad.toml
@@ -394,6 +396,42 @@ logs() {
   refuses 64 assimilate '--error 5: is a share with --covariance largest, and above 1; write 5 per cent as 0.05 or "5 %"' "${try[@]}" --covariance largest --error 5
   refuses 64 assimilate '--error x %: give a share above 0, as 0.05 or "5 %"' "${try[@]}" --covariance relative --error "x %"
   refuses 64 assimilate '--error 5 %: give numbers above 0, as 0.1 or 0.1,0.02; a share of the observations goes with --covariance largest' "${try[@]}" --error "5 %"
+}
+
+@test "draw: a prior whose numbers are those of another unit is doubted" {
+  printf '[[parameter]]\nname = "mu"\nunit = "deg"\nlow = 0.1\nhigh = 0.6\n' > unit.toml
+  exits 0 pf-weight draw unit.toml -n 2 --tsv --quiet
+  [[ $stderr == "pf-weight draw: doubt: mu lies between 0.1 and 0.6 deg; if radians are meant, write low = 5.73 and high = 34.38" ]] || show
+  printf '[[parameter]]\nname = "E"\nunit = "MPa"\nlow = 1e7\nhigh = 1e9\n' > unit.toml
+  exits 0 pf-weight draw unit.toml -n 2 -o unit.h5
+  [[ $stderr == 'pf-weight draw: doubt: E lies between 1e+07 and 1e+09 MPa; no material is as stiff; if Pa are meant, give unit = "Pa"' ]] || show
+  thesis_prior > thesis.toml
+  exits 0 pf-weight draw thesis.toml -n 2 --tsv
+  [[ -z $stderr ]] || show
+}
+
+@test "assimilate: options without effect and stations that no observation has are told" {
+  pf-weight draw prior.toml -n 100 --tsv -o ensemble.h5 > sets.tsv
+  local try=(ensemble.h5 observed.tsv --runs runs.tsv --variance 0.1)
+  refuses 64 assimilate "--table runs: chooses the table that --tsv prints: give --tsv too, or leave it out" "${try[@]}" --table runs
+  exits 0 pf-weight assimilate "${try[@]}" --at 50
+  [[ $stderr == *"doubt: --at 50 lies outside of the observations, t from 1 to 5, and the nearest one counts instead"* ]] || show
+  exits 0 pf-weight assimilate "${try[@]}" --until 500
+  [[ $stderr == *'doubt: --until 500 lies far beyond the observations, t from 1 to 5, and leaves none out; if per cent are meant, write "500 %"'* ]] || show
+  exits 0 pf-weight assimilate "${try[@]}" --until "500 %" --at 2,5
+  [[ $stderr != *"--until 500"* && $stderr != *"--at"* ]] || show
+  sed 's/^id/ID/' runs.tsv > named.tsv
+  refuses 65 assimilate "named.tsv: no column id among ID, t, one, two" ensemble.h5 observed.tsv --runs named.tsv --variance 0.1
+  pf-weight assimilate "${try[@]}" --quiet -o posterior.h5 > steps.txt
+  refuses 64 resample "--components: only a mixture has Gaussians to count" posterior.h5 --method kernel --components 3 -o next.h5
+}
+
+@test "assimilate: columns of sets that the prior lacks are told where weights are" {
+  pf-weight draw prior.toml -n 100 --tsv | awk -F '\t' '{ print $0 (NR == 1 ? "\tc" : "\t" NR) }' > sets.tsv
+  exits 0 pf-weight assimilate sets.tsv observed.tsv --prior prior.toml --runs runs.tsv --variance 0.1 --quiet
+  [[ $stderr == *"doubt: the sets differ in c, which the prior lacks: no weight tells which values fit; give the prior a [[parameter]] for each, or leave the columns out"* ]] || show
+  exits 0 pf-weight assimilate sets.tsv observed.tsv --prior prior.toml --runs runs.tsv --variance 0.1 --quiet --tsv --table curves
+  [[ $stderr != *"which the prior lacks"* ]] || show
 }
 
 # two A B: prints the linear model of the examples' runs for one parameter set.

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "calibration/output/report.h"
 #include "calibration/particle_filter.h"
 #include "calibration/posterior.h"
 #include "calibration/proposal.h"

@@ -1,10 +1,11 @@
 // Observations and runs: stations, columns, units, interpolation, and the fate of missing and unfit runs.
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "calibration/assimilation.h"
+#include "calibration/output/report.h"
 #include "calibration/sampling.h"
 #include "core/error.h"
 #include "files/exchange/table.h"
@@ -56,6 +57,11 @@ TEST(Observations, WhatCannotBeUsedIsSaid) {
   EXPECT_EQ(mistake("x [%]\ty\n5\t1\n7\t1\n", {"", {}, "6 %", {}}), "");
   EXPECT_NE(mistake("x [%]\ty\n5\t1\n", {"", {}, "4 mm", {}}).find("lab.tsv: --until: "), std::string::npos);
   EXPECT_EQ(mistake("x\ty\n1\t1\n", {"", {"z"}, {}, {}}), "lab.tsv: no column z among x, y");
+  EXPECT_EQ(mistake("x\ty\n1\t1\n", {"", {"y", "y=z"}, {}, {}}),
+            "lab.tsv: y is to be observed twice, and would count twice: name it once");
+  EXPECT_EQ(mistake("x\ty\n1\t1\n", {"", {"y", "x"}, {}, {}}),
+            "lab.tsv: x is the station, at which every run agrees with it: leave it out of --observe, or name another "
+            "--station");
 }
 
 /// A folder with runs 0.tsv, 1.tsv, ..., and their fates against the laboratory.
@@ -175,6 +181,43 @@ TEST(Runs, ThatAreMissingOrUnfitHaveNoValuesAndAReason) {
         EXPECT_TRUE(std::isfinite(value) || column.name.find("misfit") != std::string::npos ||
                     column.name == "correlation")
             << group.name << " " << column.name;
+}
+
+std::string said(const Simulated& runs) {
+  std::string all;
+  for (const Doubt& doubt : runs.doubts) all += doubt.key + ": " + doubt.sentence + "\n";
+  return all;
+}
+
+TEST(Runs, WhoseRowsLieFarApartAmongTheStationsAreDoubted) {
+  Runs runs;
+  runs.add(header + "1\t0\t0\t0\t0\n1\t0.005\t1\t0\t0\n1\t0.01\t2\t0\t0\n1\t0.02\t3\t0\t0\n");
+  EXPECT_EQ(said(runs.read(compared)), "");
+  runs.add(header + "1\t0\t0\t0\t0\n1\t0.03\t3\t0\t0\n");
+  EXPECT_EQ(said(runs.read(compared)),
+            "coarse: the run of member 1 has no row between strain_axial 0 and 3, and counts as a straight line there, "
+            "where strain_axial 0.5 is observed; give runs with rows near the stations of the observations, or check "
+            "the unit of strain_axial in both tables\n");
+}
+
+TEST(Runs, ThatNameOtherParametersThanTheirSetsAreDoubted) {
+  Runs runs;
+  const std::string head = "stage\tE [Pa]\tmu\tstrain_axial [1]\tratio\tstrain_xx [1]\tstrain_yy [1]\n";
+  for (const char* set : {"1e7\t0.5", "2e7\t0.5"}) {
+    std::string text = head;
+    for (const double at : {0.0, 0.005, 0.01, 0.02}) text += fmt::format("1\t{}\t{}\t1\t0\t0\n", set, at);
+    runs.add(text);
+  }
+  const auto read = [&](double first, double second) {
+    const io::Series sets{{{"E", "Pa", "", {first, second}}, {"mu", "1", "", {0.5, 0.5}}}};
+    const Observations lab_curve = observed(compared);
+    return said(simulated((runs.folder / "{id}.tsv").string(), runs.ids, lab_curve, compared, runs.sources, sets));
+  };
+  EXPECT_EQ(read(1.001e7, 2e7), "");
+  EXPECT_EQ(
+      read(1e7, 3e7),
+      "other_sets: 1 run names other parameters than the sets of their ids have, as member 1, whose E is 2e+07 in "
+      "its run and 3e+07 in its set; give the ensemble that these runs were made with\n");
 }
 
 TEST(Runs, AColumnThatIsNotThereIsAnErrorOfTheWhole) {

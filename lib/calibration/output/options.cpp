@@ -118,6 +118,38 @@ std::vector<double> ComparisonOptions::chosen_stations() const {
   return list;
 }
 
+std::vector<Doubt> ComparisonOptions::doubts(const Observations& observed) const {
+  std::vector<Doubt> list;
+  const double first = observed.at.front(), last = observed.at.back(), slack = 1e-3 * std::abs(last);
+  const std::string unit = observed.station.unit.empty() ? "" : " " + observed.station.unit;
+  const std::string ends = fmt::format("{} from {:.6g} to {:.6g}{}", observed.station.name, first, last, unit);
+  for (const double at : chosen_stations())
+    if (list.empty() && (at < first - slack || at > last + slack))
+      list.push_back({"at", fmt::format("--at {:.6g} lies outside of the observations, {}, and the nearest one counts "
+                                        "instead; give a station among them, in the unit of {}",
+                                        at, ends, observed.station.name)});
+  const double limit = number_of(until.substr(0, until.find_first_of(" %"))).value_or(NAN);
+  // A strain in per cent read as a fraction is a hundred times the last one.
+  if (until.find_first_of(" %") == std::string::npos && limit > 20 * std::abs(last))
+    list.push_back(
+        {"until", fmt::format("--until {} lies far beyond the observations, {}, and leaves none out; {}", until, ends,
+                              observed.station.unit.empty() || observed.station.unit == "1"
+                                  ? fmt::format("if per cent are meant, write \"{} %\"", until)
+                                  : fmt::format("give it in {}, or leave it out", observed.station.unit))});
+  return list;
+}
+
+void demand_weights(const Ensemble& ensemble, const std::string& where, bool keep) {
+  if (ensemble.weight.size() == 0)
+    throw DataError(fmt::format("{}: has no weights; assimilate observations first", where));
+  if (!(ensemble.weight.sum() > 0))
+    throw DataError(fmt::format(
+        "{}: all weights are zero: no set is left to go on from; assimilate again, with a larger --error", where));
+  if (keep && ensemble.rounds.empty())
+    throw DataError(fmt::format(
+        "{}: does not record the distribution of its sets; draw them anew, or resample without --keep", where));
+}
+
 void Output::declare(tool::Table& table, std::string_view sentence) {
   TableOutput::declare(table, "print tab-separated text", std::string(sentence));
   table.unrecorded("tsv");

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "calibration/ensemble.h"
 #include "calibration/observations.h"
 #include "calibration/particle_filter.h"
 #include "core/cli/tool.h"
@@ -53,7 +54,14 @@ struct ComparisonOptions {
   std::optional<std::string> remark() const;
   /// Returns the stations of --at.
   std::vector<double> chosen_stations() const;
+  /// Returns doubts about stations that the observations do not have: "at" if --at lies outside of them, "until" if
+  /// --until lies so far beyond them that another unit is meant.
+  std::vector<Doubt> doubts(const Observations& observed) const;
 };
+
+/// Throws DataError unless the ensemble has weights from which the next round can be drawn. keep: earlier rounds are
+/// kept, so that their distributions are needed.
+void demand_weights(const Ensemble& ensemble, const std::string& where, bool keep);
 
 /// Output of a verb.
 struct Output : io::TableOutput {

@@ -29,6 +29,12 @@ void TableOutput::print(const Series& table, const std::string& text) const {
   if (file != "-") std::fputs((tsv ? to_tsv(table) : text).c_str(), stdout);
 }
 
+void check_table(bool tsv, const std::string& table, const std::string& usual, std::vector<std::string>& mistakes) {
+  if (!tsv && table != usual)
+    mistakes.push_back(
+        fmt::format("--table {}: chooses the table that --tsv prints: give --tsv too, or leave it out", table));
+}
+
 void demand_none(const std::vector<std::string>& mistakes) {
   if (!mistakes.empty()) throw UsageError(fmt::format("{}", fmt::join(mistakes, "\n")));
 }

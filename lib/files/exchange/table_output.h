@@ -27,6 +27,9 @@ struct TableOutput {
   void print(const Series& table, const std::string& text) const;
 };
 
+/// Adds a mistake if a table is chosen, other than the `usual` one, and nothing is printed as a table.
+void check_table(bool tsv, const std::string& table, const std::string& usual, std::vector<std::string>& mistakes);
+
 /// Throws UsageError with the mistakes, one a line, if there are any.
 void demand_none(const std::vector<std::string>& mistakes);
 

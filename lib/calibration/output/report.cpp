@@ -1,5 +1,7 @@
 // Report of an assimilation for a reader.
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "calibration/output/report.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -7,7 +9,6 @@
 #include <limits>
 #include <set>
 
-#include "calibration/assimilation.h"
 #include "calibration/posterior.h"
 
 namespace soilweave::calibration {
@@ -136,7 +137,13 @@ std::vector<Doubt> doubts(const Assimilation& a, bool weights_told) {
         {"far", fmt::format("no run comes near the observations: {}; check the units in the heads of both tables, and "
                             "the observables; else widen the prior",
                             fmt::join(far, ", and "))});
+  list.insert(list.end(), a.runs.doubts.begin(), a.runs.doubts.end());
   if (!weights_told) return list;
+  if (!a.ensemble.unused.empty())
+    list.push_back({"unused_columns",
+                    fmt::format("the sets differ in {}, which the prior lacks: no weight tells which values fit; give "
+                                "the prior a [[parameter]] for each, or leave the columns out",
+                                fmt::join(a.ensemble.unused, ", "))});
   const auto last = static_cast<Eigen::Index>(a.observed.stations()) - 1;
   const double size = a.filtered.effective_size[last];
   if (size < degenerate_below(a)) {

@@ -1,0 +1,47 @@
+// Doubts about the tables of runs that are compared with observations.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "calibration/observations.h"
+#include "core/doubts.h"
+#include "files/records.h"
+
+namespace soilweave::calibration {
+
+/// Finds the widest gap between two rows of a run in which a station of the observations lies.
+class WidestGap {
+ public:
+  explicit WidestGap(const Observations& observed) : observed_(observed) {}
+  /// Takes the stations of the rows of a member's run, increasing.
+  void compare(const std::vector<double>& rows, std::int64_t id);
+  /// Adds "coarse" if the gap is wider than a fifth of the stations' range: no curve is a straight line so far.
+  void doubt(std::vector<Doubt>& doubts) const;
+
+ private:
+  const Observations& observed_;
+  std::int64_t id_ = 0;
+  double from_ = 0, to_ = 0, station_ = 0;
+};
+
+/// Finds runs whose tables name other parameters than the sets of their ids have.
+class OtherSets {
+ public:
+  /// sets: parameters, one row a member. Columns that are compared with observations are no parameters.
+  OtherSets(const io::Series& sets, const Observations& observed, const Choice& choice);
+  /// Compares a run with row `member` of the sets. A column that varies is a quantity, not a parameter.
+  void compare(const io::Series& run, std::int64_t id, std::size_t member);
+  /// Adds "other_sets" if a run has a parameter that differs by more than a hundredth.
+  void doubt(std::vector<Doubt>& doubts) const;
+
+ private:
+  const io::Series& sets_;
+  std::vector<std::string> compared_;
+  std::size_t runs_ = 0;
+  std::string example_;
+};
+
+}  // namespace soilweave::calibration
