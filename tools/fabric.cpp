@@ -1,9 +1,12 @@
 // fabric: arrangement of contacts and forces. Reads a packing or a run, writes fabric tensors, rose and histogram.
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/format.h>
+
 #include <cstdio>
 #include <string>
 #include <vector>
 
+#include "analysis/measure/fabric_doubts.h"
 #include "analysis/tables/bag.h"
 #include "analysis/tables/tables.h"
 #include "core/cli/tool.h"
@@ -17,12 +20,13 @@ namespace {
 
 using namespace soilweave;
 
+constexpr std::int64_t usual_classes = 36;
 constexpr Parameter classes_parameter{"classes", "1", 8, 360, false, "classes of the full circle in the rose"};
 
 struct FabricTool {
   std::filesystem::path input, output;
   std::string state = "all", table = "fabric", columns;
-  std::int64_t classes = 36;
+  std::int64_t classes = usual_classes;
   bool tsv = false, soil = false;
 
   void options(tool::Table& t) {
@@ -46,6 +50,10 @@ struct FabricTool {
     std::vector<std::string> wrong;
     io::TableOutput{tsv, output}.check_needed(wrong);
     if (!tsv && !columns.empty()) wrong.emplace_back("--columns belongs to --tsv: give both");
+    io::check_table(tsv, table, "fabric", wrong);
+    if (tsv && output.empty() && table != "rose" && classes != usual_classes)
+      wrong.push_back(
+          fmt::format("--classes {}: --table {} has none: give --table rose, or leave it out", classes, table));
     io::check_states(state, wrong);
     io::demand_none(wrong);
   }
@@ -57,11 +65,19 @@ struct FabricTool {
     Group histogram{"histogram", "grains by number of contacts", {}};
     Group rose{"rose", "contacts by orientation", {}};
     Group chains{"chains", "contacts of the force chains", {}};
+    Doubts doubts(invocation.tool);
     for (const std::size_t n : io::chosen_states(state, file.snapshots.size(), input.string())) {
       // Only contacts of reinforced soil count, as in the thesis: with soil, geotextile, plates and fill, or with soil
       // only.
       const io::Snapshot& all = file.snapshots[n];
-      const io::Snapshot s = analysis::is_reinforced(all) ? analysis::soil_contacts(all, soil) : all;
+      const bool reinforced = analysis::is_reinforced(all);
+      if (soil && !reinforced)
+        throw DataError(fmt::format("{}: holds no geotextile and no fill, so that --soil has no effect: leave it out",
+                                    input.string()));
+      const io::Snapshot s = reinforced ? analysis::soil_contacts(all, soil) : all;
+      const bool all_told = !output.empty();
+      if (all_told || table == "fabric") doubts.add_all(analysis::fabric_doubts(s));
+      if (all_told || table == "rose") doubts.add_all(analysis::rose_doubts(s, static_cast<std::size_t>(classes)));
       analysis::put_fabric(fabric.table, s);
       analysis::put_histogram(histogram.table, s);
       analysis::put_rose(rose.table, s, static_cast<std::size_t>(classes));
@@ -74,7 +90,7 @@ struct FabricTool {
       if (group->table.rows() > 0) fields.groups.push_back(std::move(*group));
     }
     if (output.empty()) return;
-    io::write_fields(output, fields, io::extend({file.source}, invocation));
+    io::write_fields(output, fields, io::with_doubts(io::extend({file.source}, invocation), doubts));
   }
 };
 

@@ -78,7 +78,32 @@ with h5py.File("out.h5") as file:
     assert "chains" not in file["fields"]
 PY
   exits 0 fabric --quiet --tsv --table chains --columns chain,first "$IN/bare.h5"
-  [[ $output == $'chain [1]\tfirst [1]' ]] || show "$output"
+  [[ $output == $'chain [1]\tfirst [1]' && -z $stderr ]] || show "$output"
+}
+
+@test "values that contacts would give are missing without them, and this is said, also in the file" {
+  local table said="no contacts, and so no fabric and no anisotropy (nan); give a state under load"
+  for table in fabric rose; do
+    exits 0 fabric --quiet --tsv --table $table "$IN/bare.h5"
+    [[ $output == *nan* && $output != *-nan* && $stderr == "fabric: doubt: step "*": $said" ]] || show "$table"
+  done
+  exits 0 fabric --quiet --tsv --columns backbone_coordination_number,force_chain_length "$IN/bare.h5"
+  [[ ${lines[1]} == $'nan\tnan' ]] || show
+  fabric --quiet -o out.h5 "$IN/bare.h5"
+  [[ $(to-vtk --history out.h5) == *"no_contacts: step "*"$said"* ]] || show "no doubt in the file"
+  exits 0 fabric --quiet --tsv --table rose --classes 360 --state last "$IN/sheared.h5"
+  [[ $output != *-nan* && $stderr == *" classes of the rose hold no contact, and have no mean force (nan); give --classes "* ]] || show
+  local fewer=${stderr#*--classes }
+  exits 0 fabric --quiet --tsv --table rose --classes "${fewer%%,*}" --state last "$IN/sheared.h5"
+  [[ $output != *nan* && -z $stderr ]] || show "the remedy fails"
+}
+
+@test "options that change nothing are refused" {
+  mentions 64 fabric "--classes 40: --table fabric has none: give --table rose, or leave it out" --tsv --classes 40 "$IN/sheared.h5"
+  mentions 64 fabric "--classes 40: --table chains has none" --tsv --table chains --classes 40 "$IN/sheared.h5"
+  exits 0 fabric --quiet --tsv --table chains --classes 40 -o out.h5 "$IN/sheared.h5"
+  mentions 64 fabric "--table rose: chooses the table that --tsv prints: give --tsv too, or leave it out" --table rose -o rose.h5 "$IN/sheared.h5"
+  mentions 65 fabric "sheared.h5: holds no geotextile and no fill, so that --soil has no effect: leave it out" --tsv --soil "$IN/sheared.h5"
 }
 
 @test "errors: usage" {

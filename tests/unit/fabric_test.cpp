@@ -6,6 +6,7 @@
 
 #include <numbers>
 
+#include "analysis/measure/fabric_doubts.h"
 #include "analysis/measure/stress.h"
 #include "analysis/tables/bag.h"
 #include "support/assembly.h"
@@ -198,6 +199,24 @@ TEST(Rose, FollowsTheDensityOfAnEnsemble) {
   }
   const Rose disks = plane_rose(ensemble({axial(0.6, 2), Mat3::Zero(), Mat3::Zero()}, 2, 20000), 0, 1, 36);
   for (std::size_t k = 0; k < 36; ++k) EXPECT_NEAR(disks.density[k], 1 - 0.6 * std::cos(2 * disks.angle[k]), 0.01);
+}
+
+TEST(Rose, ClassesWithoutContactsHaveNoForceAndAreTold) {
+  io::Snapshot s = ensemble({}, 3, 60);
+  const auto said = [&](std::size_t classes) {
+    const std::vector<Doubt> doubts = rose_doubts(s, classes);
+    return doubts.empty() ? "" : doubts.front().sentence;
+  };
+  EXPECT_EQ(said(8), "");
+  EXPECT_NE(said(360).find(" classes of the rose hold no contact, and have no mean force (nan); give --classes "),
+            std::string::npos);
+  for (const double force : plane_rose(s, 0, 1, 360).normal_force)
+    EXPECT_FALSE(std::signbit(force) && std::isnan(force));
+  s.contacts = {};
+  EXPECT_NE(said(8).find("no contacts, and so no fabric"), std::string::npos);
+  EXPECT_EQ(fabric_doubts(s).size(), 1U);
+  EXPECT_TRUE(std::isnan(plane_rose(s, 0, 1, 8).density[0]) && std::isnan(polar_rose(s, 8).density[0]));
+  EXPECT_TRUE(std::isnan(force_chains(s).mean_length) && std::isnan(coordination(s).backbone));
 }
 
 TEST(ForceChains, FollowStrongContactsInLine) {

@@ -26,6 +26,9 @@ double scalar(const Mat3& a, const Mat3& deviator, int dimension) {
   return a.cwiseProduct(deviator).sum() < 0 ? -size : size;
 }
 
+// Returns a quotient, NaN over 0.
+double over(double sum, double count) { return count > 0 ? sum / count : none; }
+
 std::vector<int> contacts_per_grain(const io::Snapshot& state) {
   std::vector<int> count(state.grains.size(), 0);
   for (const auto& pair : state.contacts.bodies)
@@ -95,7 +98,7 @@ Coordination coordination(const io::Snapshot& state, const std::vector<bool>& co
   }
   const double none = static_cast<double>(z.histogram[0]);
   const double one = z.histogram.size() > 1 ? static_cast<double>(z.histogram[1]) : 0;
-  z.all = grains > 0 ? ends / grains : 0;
+  z.all = over(ends, grains);
   z.mechanical = grains > none + one ? (ends - one) / (grains - none - one) : std::nan("");
 
   std::vector<char> out(count.size(), 0), gone(state.contacts.size(), 0);
@@ -122,7 +125,7 @@ Coordination coordination(const io::Snapshot& state, const std::vector<bool>& co
     left += out[i] ? 0 : 1;
     held += out[i] ? 0 : count[i];
   }
-  z.backbone = left > 0 ? held / left : 0;
+  z.backbone = over(held, left);
   return z;
 }
 
@@ -141,9 +144,9 @@ Rose polar_rose(const io::Snapshot& state, std::size_t classes) {
     const double low = static_cast<double>(k) * width;
     rose.angle.push_back(low + 0.5 * width);
     rose.contacts.push_back(rose.density[k]);
-    rose.normal_force[k] /= rose.density[k];
+    rose.normal_force[k] = over(rose.normal_force[k], rose.density[k]);
     // The divisor is the share of the half sphere between the two cones.
-    rose.density[k] /= n * (std::cos(low) - std::cos(low + width));
+    rose.density[k] = over(rose.density[k], n * (std::cos(low) - std::cos(low + width)));
   }
   return rose;
 }
@@ -169,8 +172,8 @@ Rose plane_rose(const io::Snapshot& state, int a, int b, std::size_t classes) {
   for (std::size_t k = 0; k < classes; ++k) {
     rose.angle.push_back((static_cast<double>(k) + 0.5) * width);
     rose.contacts.push_back(rose.density[k]);
-    rose.normal_force[k] /= rose.density[k];
-    rose.density[k] *= static_cast<double>(classes) / total;
+    rose.normal_force[k] = over(rose.normal_force[k], rose.density[k]);
+    rose.density[k] = over(static_cast<double>(classes) * rose.density[k], total);
   }
   return rose;
 }
@@ -179,6 +182,7 @@ ForceChains force_chains(const io::Snapshot& state) {
   const io::ContactsRecord& c = state.contacts;
   ForceChains result;
   result.chain.assign(c.size(), -1);
+  result.mean_length = none;
   if (c.size() == 0) return result;
   double mean_force = 0;
   for (const double f : c.normal_force) mean_force += f / static_cast<double>(c.size());
@@ -212,7 +216,7 @@ ForceChains force_chains(const io::Snapshot& state) {
     }
   for (std::size_t k = 0; k < c.size(); ++k)
     if (strong[k]) result.chain[k] = number[find(static_cast<std::size_t>(c.bodies[k][0]))];
-  if (result.count > 0) result.mean_length = grains / static_cast<double>(result.count);
+  result.mean_length = over(grains, static_cast<double>(result.count));
   // Fill is left out of the divisor, because only fill that touches soil has contacts here.
   const auto fill = std::ranges::count(parts(state), Part::fill);
   result.grains_in_chains = grains / static_cast<double>(std::ssize(root) - fill);

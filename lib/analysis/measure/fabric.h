@@ -48,11 +48,11 @@ StressForceFabric stress_force_fabric(const io::Snapshot& state, const Fabric& f
 
 /// Mean numbers of contacts and their distribution.
 struct Coordination {
-  /// 2 Nc/N over contacts between grains; a contact with a plane counts once.
+  /// 2 Nc/N over contacts between grains; a contact with a plane counts once. NaN without grains.
   double all = 0;
   /// (2 Nc - N1)/(N - N0 - N1), Thornton 2000. NaN if no grain has two contacts.
   double mechanical = 0;
-  /// Mean after repeated removal of grains with fewer than 2 contacts.
+  /// Mean after repeated removal of grains with fewer than 2 contacts. NaN if none is left.
   double backbone = 0;
   /// Number of grains outside the backbone.
   std::size_t rattlers = 0;
@@ -71,9 +71,9 @@ struct Rose {
   std::vector<double> angle;
   /// Number in each class.
   std::vector<double> contacts;
-  /// Contacts per solid angle (or angle), over the isotropic value.
+  /// Contacts per solid angle (or angle), over the isotropic value; NaN without contacts.
   std::vector<double> density;
-  /// Mean force, N; 0 in an empty class.
+  /// Mean force, N; NaN in an empty class.
   std::vector<double> normal_force;
 };
 /// Returns the rose over angles of 0 to 90 deg from the loading axis (3D only).
@@ -89,7 +89,7 @@ struct ForceChains {
   std::vector<std::int32_t> chain;
   /// Number of chains of three grains or more.
   std::size_t count = 0;
-  /// Mean number of grains in a chain.
+  /// Mean number of grains in a chain; NaN without chains.
   double mean_length = 0;
   /// Grains in chains over all grains except fill.
   double grains_in_chains = 0;

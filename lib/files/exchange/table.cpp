@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cmath>
 #include <optional>
 #include <set>
 #include <utility>
@@ -135,6 +136,7 @@ class TableReader {
 }  // namespace
 
 std::string exact(double value) {
+  if (std::isnan(value)) return "nan";  // its sign depends on the processor
   char text[32];
   return {text, std::to_chars(text, text + sizeof text, value).ptr};
 }

@@ -139,9 +139,10 @@ std::vector<Doubt> doubts_about(const io::Snapshot& state, const Contacts& conta
                      100 * rattlers, 100 * limits.rattlers)});
   if (c.all < limits.coordination)
     doubts.push_back(
-        {"coordination", fmt::format("the coordination number is {:.2f}, below {}: {:.2f} among the grains that "
-                                     "bear load; a higher pressure or a lower void ratio raises it",
-                                     c.all, limits.coordination, c.backbone)});
+        {"coordination",
+         fmt::format("the coordination number is {:.2f}, below {}: {} among the grains that "
+                     "bear load; a higher pressure or a lower void ratio raises it",
+                     c.all, limits.coordination, std::isnan(c.backbone) ? "none" : fmt::format("{:.2f}", c.backbone))});
   doubt_cell(state, doubts);
   doubt_stress(state, doubts);
   doubt_pressure(state, doubts);
