@@ -65,7 +65,7 @@ struct Homogenize {
     t.unrecorded("columns");
     t.instead_of_output(list, "list", "print the names of the tables that the file can give, and stop");
     t.option(state, "state", "WHICH", "all, first, last or a number from 0");
-    t.option(choice.boxes, "box", "X0,X1,Y0,Y1,Z0,Z1", "volume of interest, m");
+    t.option(choice.boxes, "box", "X0,X1,Y0,Y1,Z0,Z1", "volume of interest, m; of disks X0,X1,Y0,Y1");
     t.flag(choice.copies, "copies", "take the copies of a tiled packing as volumes of interest");
     t.flag(choice.groups, "groups",
            "volumes along x in the middle of a bag, #1 to #5 of thesis Fig. 3.9: four copies each of ten by ten, one "
@@ -80,6 +80,10 @@ struct Homogenize {
     std::vector<std::string> wrong;
     if (!tsv && !list && output.empty()) wrong.emplace_back("nothing to do: give --tsv, --list or -o FILE");
     if (list && (tsv || !output.empty())) wrong.emplace_back("--list excludes --tsv and -o");
+    if (list && (state != "all" || !choice.empty() || grains || yarns || tessellation))
+      wrong.emplace_back("--list prints names alone: leave --state and the flags of tables out");
+    // A file has these two tables where they are named.
+    if (table != "grains" && table != "yarns") io::check_table(tsv, table, "cell", wrong);
     if (!tsv && !columns.empty()) wrong.emplace_back("--columns belongs to --tsv: give both");
     io::TableOutput{tsv, output}.check(wrong);
     io::check_states(state, wrong);

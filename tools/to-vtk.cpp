@@ -71,6 +71,9 @@ struct ToVtk {
     std::vector<std::string> wrong;
     if (history && text) wrong.emplace_back("--history and --text exclude each other");
     if (!history && !text && output == "-") wrong.emplace_back("name a folder for the VTK files with -o");
+    const bool drawn = !fields.empty() || force_scale || unwrapped || compress;
+    if ((history && (drawn || state != "all")) || (text && drawn))
+      wrong.emplace_back("--text and --history draw no picture, and a history has no --state: leave other options out");
     io::check_states(state, wrong);
     io::demand_none(wrong);
   }
@@ -82,8 +85,7 @@ struct ToVtk {
     if (kind != "fields" && kind != "multiscale") return show_states(invocation);
     if (!fields.empty() || force_scale || unwrapped)
       throw UsageError("--fields, --force-scale and --unwrapped are for packings and runs, not for " + input.string());
-    if (kind == "fields") return show_fields(invocation);
-    show_multiscale(invocation);
+    kind == "fields" ? show_fields(invocation) : show_multiscale(invocation);
   }
 
  private:
@@ -129,15 +131,14 @@ struct ToVtk {
       const auto dyads = contacts > 0 ? analysis::grain_dyads(snapshot) : std::vector<Mat3>();
       io::VtkPicture grains = io::show_grains(snapshot, dyads, unwrapped);
       analysis::mark_parts(snapshot, grains);
-      if (table) io::join_grains(grains, *table);
+      if (table) io::join_grains(grains, snapshot, *table);
       io::add_principal(grains);
       return grains;
     };
-    // A mismatch with the table must be reported before anything is written.
     std::vector<double> times;
     for (const io::Snapshot* snapshot : shown) {
       times.push_back(snapshot->time);
-      if (table) grains_of(*snapshot);
+      if (table) grains_of(*snapshot);  // a mismatch with the table is told before anything is written
     }
     io::demand_advance("grains", times);
 

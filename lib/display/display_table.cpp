@@ -220,9 +220,28 @@ void demand_same_radii(const VtkPicture& grains, const Series& table, const std:
   }
 }
 
+// Throws DataError if a grain lies elsewhere in the table, which then belongs to another run of the packing. Positions
+// of files may differ by whole cells.
+void demand_same_places(const Snapshot& state, const Series& table, const std::vector<std::size_t>& rows,
+                        const std::vector<bool>& known) {
+  const auto places = position_columns(table);
+  if (!places[0]) return;
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    if (!known[i]) continue;
+    const Vec3 there = vector_of(places, rows[i]), away = there - state.grains.position[i];
+    const Vec3 cells = cell_index(state.cell, away, Vec3::Constant(-0.5)).cast<double>();
+    if ((away - state.cell.matrix * cells).norm() <= 1e-6 * state.grains.radius[i]) continue;
+    const Vec3& here = state.grains.position[i];
+    throw DataError(fmt::format(
+        "the table of grains is of another run: at step {} grain {} lies at ({:.6g}, {:.6g}, {:.6g}) m "
+        "there, and at ({:.6g}, {:.6g}, {:.6g}) m here; make it from this file, with homogenize --grains",
+        state.step, state.grains.body_id[i], there.x(), there.y(), there.z(), here.x(), here.y(), here.z()));
+  }
+}
+
 }  // namespace
 
-void join_grains(VtkPicture& grains, const Series& table) {
+void join_grains(VtkPicture& grains, const Snapshot& state, const Series& table) {
   const Column* ids = table.find("body_id");
   if (!ids) throw DataError("the table of grains has no column body_id to tell them by");
   const Column* step = table.find("step");
@@ -238,7 +257,12 @@ void join_grains(VtkPicture& grains, const Series& table) {
     known.push_back(found != row_of.end());
     rows.push_back(known.back() ? found->second : row_of.begin()->second);
   }
+  if (std::ranges::count(known, true) == 0)
+    throw DataError(
+        "the table of grains has a row for none of these grains; make it from this file, with homogenize "
+        "--grains");
   demand_same_radii(grains, table, rows, known);
+  demand_same_places(state, table, rows, known);
   for (VtkArray& array : arrays_of(table, rows)) {
     if (array.name == "body_id" || array.name == "radius") continue;
     auto& values = std::get<std::vector<double>>(array.values);

@@ -39,10 +39,10 @@ VtkPicture show_rows(const Series& table, const TableState& state);
 /// greatest, 2, 3), principal_stress (Pa). A NaN has no line.
 std::optional<VtkPicture> show_axes(const Series& table, const TableState& state);
 
-/// Adds the table's columns to the grains with the same body_id, at the picture's step if the table has steps. A grain
-/// without a row gets NaN. Arrays of the same name are replaced. Throws DataError if the table lacks body_id or this
-/// step, or if its radii are those of another packing.
-void join_grains(VtkPicture& grains, const Series& table);
+/// Adds the table's columns to the picture's grains with the same body_id, at its step if the table has steps. A grain
+/// without a row gets NaN. Arrays of the same name are replaced. Throws DataError if the table lacks body_id, this step
+/// or every grain of `state`, if its radii are those of another packing, or its positions those of another run.
+void join_grains(VtkPicture& grains, const Snapshot& state, const Series& table);
 
 /// Returns CSV with bare column names, for ParaView.
 std::string to_csv(const Series& table);

@@ -98,7 +98,7 @@ def _column(table, line, remedy=""):
 def _over(table, panel):
     """Returns the abscissae of a panel. Raises StudyError for a cell that is not periodic, with a table that has them."""
     of_volumes = all(any(line.column in OF_VOLUMES for line in _choices(entry)) for entry in panel.each)
-    instead = ("draw the text of a volume among its grains: homogenize RUN --table volumes --box=X0,X1,Y0,Y1,Z0,Z1 --tsv"
+    instead = ("draw the text of a volume among its grains: homogenize RUN --table volumes --box=X0,X1,Y0,Y1,Z0,Z1 --tsv (of disks --box=X0,X1,Y0,Y1)"
                if of_volumes else "see the columns of its plates: homogenize RUN --table series --tsv")
     return _column(table, panel.abscissa, f"; a cell that is not periodic has none: {instead}")
 

@@ -133,13 +133,26 @@ PY
   done
 }
 
+@test "boxes of disks have no z, which may be taken for the height" {
+  mentions 65 homogenize "disks.h5: --box 0,0.05,-1,1,0,0.05: has 6 numbers, and the grains are disks, which have no z: give X0,X1,Y0,Y1, where y is up" \
+    --tsv --table volumes --box 0,0.05,-1,1,0,0.05 "$IN/disks.h5"
+  mentions 65 homogenize "--box 0,1,0,1: has 4 numbers, and the grains are spheres: give X0,X1,Y0,Y1,Z0,Z1" \
+    --tsv --table volumes --box 0,1,0,1 "$IN/sheared.h5"
+  mentions 65 homogenize "the extent of the state, which is 0.1 and 0.1 m along x and y: coordinates are in metres" \
+    --tsv --table volumes --box 0,50,0,50 "$IN/disks.h5"
+  pack-generate --quiet --dimension 2 --grains 60 --pressure 1e5 -o packed.h5
+  exits 0 homogenize --quiet --tsv --table volumes --box 0,0.03,0,0.03 packed.h5
+  [[ ${#lines[@]} -eq 2 ]] || show
+}
+
 @test "errors: usage" {
   complains 64 homogenize "nothing to do: give --tsv, --list or -o FILE" "$IN/sheared.h5"
   mentions 64 homogenize "both write to standard output" --tsv -o - "$IN/sheared.h5"
   mentions 64 homogenize "all, first, last or a number" --tsv --state middle "$IN/sheared.h5"
   mentions 64 homogenize "3 states, 0 to 2" --tsv --state 3 "$IN/sheared.h5"
   mentions 64 homogenize "from low to high" --tsv --table volumes --box 0,1,0,1,1,0 "$IN/sheared.h5"
-  mentions 64 homogenize "from low to high" --tsv --table volumes --box 0,1,0,1 "$IN/sheared.h5"
+  mentions 64 homogenize "from low to high" --tsv --table volumes --box 0,1,0,1,0 "$IN/sheared.h5"
+  mentions 64 homogenize "from low to high" --tsv --table volumes --box 0,1,1,0 "$IN/disks.h5"
   mentions 64 homogenize "from low to high" --tsv --table volumes --box nan,1,0,1,0,1 "$IN/sheared.h5"
   mentions 64 homogenize "from low to high" --tsv --table volumes --box=-inf,1,0,1,0,1 "$IN/sheared.h5"
   mentions 64 homogenize "from low to high" --tsv --table volumes --box 0,1,0,x,0,1 "$IN/sheared.h5"
@@ -152,6 +165,9 @@ PY
   mentions 64 homogenize "belongs to --table volumes" --tsv --box 0,1,0,1,0,1 "$IN/sheared.h5"
   mentions 64 homogenize "--grains belongs to --table grains" --tsv --grains "$IN/sheared.h5"
   mentions 64 homogenize "belongs to --table cell" --tsv --table grains --tessellation "$IN/sheared.h5"
+  mentions 64 homogenize "--list prints names alone: leave --state and the flags of tables out" --list --state last "$IN/sheared.h5"
+  mentions 64 homogenize "--table bag: chooses the table that --tsv prints: give --tsv too, or leave it out" --table bag -o out.h5 "$IN/sheared.h5"
+  exits 0 homogenize --quiet --table grains -o out.h5 "$IN/sheared.h5"
 }
 
 @test "errors: input missing, truncated, of another kind, without what was asked" {

@@ -351,17 +351,32 @@ TEST(DisplayTable, RowsJoinTheGrainsOfTheirStepByBodyId) {
   table.columns = {column("step", {10, 20, 20}), column("body_id", {100, 102, 100}),
                    column("void_ratio", {0.9, 0.7, 0.5})};
   VtkPicture grains = show_grains(state, {}, false);
-  join_grains(grains, table);
+  join_grains(grains, state, table);
   const auto& joined = values_of<double>(grains.point_data, "void_ratio");
   EXPECT_EQ(joined[0], 0.5);
   EXPECT_TRUE(std::isnan(joined[1]));
   EXPECT_EQ(joined[2], 0.7);
   grains.step = 30;
-  EXPECT_THROW(join_grains(grains, table), DataError);
+  EXPECT_THROW(join_grains(grains, state, table), DataError);
   grains.step = 20;
   table.columns.push_back(column("radius", {1, 0.1, 7}));
-  test::expect_error<DataError>([&] { join_grains(grains, table); },
+  test::expect_error<DataError>([&] { join_grains(grains, state, table); },
                                 "of another packing: grain 100 has a radius of 7 m there");
+  table.columns.back() = column("radius", {1, 0.1, 0.1});
+  // The second grain that the table has lies a cell away, and so at its place.
+  state.cell.matrix = Vec3(2, 2, 2).asDiagonal();
+  state.cell.periodic = {true, true, true};
+  table.columns.push_back(column("position_x", {0, 0.6 + 2, 0}));
+  table.columns.push_back(column("position_y", {0, 0.5, 0.5}));
+  table.columns.push_back(column("position_z", {0, 0.5, 0.5}));
+  join_grains(grains, state, table);
+  table.columns[4].values[2] = 0.01;
+  test::expect_error<DataError>(
+      [&] { join_grains(grains, state, table); },
+      "of another run: at step 20 grain 100 lies at (0.01, 0.5, 0.5) m there, and at (0, 0.5, "
+      "0.5) m here; make it from this file");
+  table.columns[1].values = {5, 6, 7};
+  test::expect_error<DataError>([&] { join_grains(grains, state, table); }, "has a row for none of these grains");
 }
 
 TEST(DisplayTable, CsvHasAHeaderAndShortestExactNumbers) {

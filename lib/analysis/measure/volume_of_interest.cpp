@@ -120,10 +120,8 @@ std::int32_t copies_along(const io::Snapshot& state, const std::vector<Part>& pa
 }  // namespace
 
 Volume box(const io::Snapshot& state, const Vec3& low, const Vec3& high) {
-  Volume volume{
-      fmt::format("box {:g} {:g} {:g} {:g} {:g} {:g}", low.x(), high.x(), low.y(), high.y(), low.z(), high.z()),
-      {},
-      {}};
+  Volume volume{"box", {}, {}};
+  for (int a = 0; a < state.grains.dimension; ++a) volume.name += fmt::format(" {:g} {:g}", low[a], high[a]);
   const ImageInBox image(state, low, high);
   const std::vector<bool> node = io::nodes(state);
   for (std::size_t i = 0; i < state.grains.size(); ++i) {

@@ -48,10 +48,13 @@ void judge_size(const io::Snapshot& state, const std::vector<double>& b, const s
     least = std::min(least, ratio), most = std::max(most, ratio);
   }
   if (least > large_edge || most > largest_edge)
-    throw DataError(
-        fmt::format("{}: --box {}: an edge has {:.0f} times the extent of the state, which is {:.3g}, {:.3g} and "
-                    "{:.3g} m along x, y and z: coordinates are in metres, as 0.015 for 15 mm",
-                    where, text, most, extent.x(), extent.y(), extent.z()));
+    throw DataError(fmt::format(
+        "{}: --box {}: an edge has {:.0f} times the extent of the state, which is {}: coordinates are in "
+        "metres, as 0.015 for 15 mm",
+        where, text, most,
+        state.grains.dimension == 3
+            ? fmt::format("{:.3g}, {:.3g} and {:.3g} m along x, y and z", extent.x(), extent.y(), extent.z())
+            : fmt::format("{:.3g} and {:.3g} m along x and y", extent.x(), extent.y())));
 }
 
 }  // namespace
@@ -59,8 +62,11 @@ void judge_size(const io::Snapshot& state, const std::vector<double>& b, const s
 void VolumeChoice::check(std::vector<std::string>& wrong) const {
   for (const std::string& text : boxes) {
     const std::vector<double> b = numbers_of_list(text);
-    if (b.size() != 6 || b[0] >= b[1] || b[2] >= b[3] || b[4] >= b[5])
-      wrong.push_back(fmt::format("--box {}: give x, y and z from low to high, as in 0,0.1,0,0.1,0,0.2", text));
+    bool rises = b.size() == 4 || b.size() == 6;
+    for (std::size_t k = 1; rises && k < b.size(); k += 2) rises = b[k - 1] < b[k];
+    if (!rises)
+      wrong.push_back(
+          fmt::format("--box {}: give x, y and z from low to high, as in 0,0.1,0,0.1,0,0.2 (of disks x and y)", text));
   }
 }
 
@@ -74,7 +80,13 @@ std::vector<Volume> VolumeChoice::volumes(const io::Snapshot& state, const std::
   if (groups)
     take(analysis::groups(state), "has no groups along x, which need copies in one layer, as many along x as along y");
   for (const std::string& text : boxes) {
-    const std::vector<double> b = numbers_of_list(text);
+    std::vector<double> b = numbers_of_list(text);
+    const bool disks = state.grains.dimension == 2;
+    if (disks != (b.size() == 4))
+      throw DataError(fmt::format("{}: --box {}: has {} numbers, and {}", where, text, b.size(),
+                                  disks ? "the grains are disks, which have no z: give X0,X1,Y0,Y1, where y is up"
+                                        : "the grains are spheres: give X0,X1,Y0,Y1,Z0,Z1"));
+    if (disks) b.insert(b.end(), {-1, 1});
     judge_size(state, b, text, where);
     all.push_back(box(state, {b[0], b[2], b[4]}, {b[1], b[3], b[5]}));
   }
