@@ -433,7 +433,7 @@ def test_the_page_says_what_the_bag_carries_and_where_its_geotextile_ends(out):
     assert study.measures["factor"].value == pytest.approx(1) and study.measures["bags_apart"].value == pytest.approx(14.5, abs=0.1)
     assert any("sets of contact parameters drawn from the posterior (2 different ones)" in text for text in study.remarks)
     # The report of the identification names no line at all.
-    assert "stiffness of Toyoura sand had to stand for this soil's." in study.headline
+    assert "Taken from Toyoura sand instead of this soil: " in study.headline and "stiffness." in study.headline
     assert "at 5.00 % settlement." in study.headline.replace("\xa0", " ") and all(any(doubt in text for text in study.remarks) for doubt in ("it is extrapolated", "many rattlers", "the scatter is unknown"))
     study.write()
     assert (study.out / "page.html").exists()
@@ -485,7 +485,7 @@ def test_constants_have_the_ranges_of_one_more_packing(tmp_path):
 def test_the_page_says_where_the_geotextile_ends_before_the_settlement(out, monkeypatch):
     monkeypatch.setattr(page, "draw", lambda *_: None)
     study = out(0.04)
-    assert study.measures["carried"].value == pytest.approx(400, rel=1e-4) and "where its geotextile ends" in study.headline
+    assert study.measures["carried"].value == pytest.approx(400, rel=1e-4) and "where its geotextile fails" in study.headline
 
 
 @pytest.mark.parametrize(("empty", "said"), [(["design_high"], "at the low end of the range no geotextile is enough."),
