@@ -8,7 +8,7 @@ C5V_RUNS := $(foreach v,$(C5V_VOLUMES),$(C5_GEOTEXTILES:%=$(C5V)/$v/uc_%))
 
 .PHONY: ch5-volumes
 ch5-volumes: $(C5V_VOLUMES:%=$(C5V)/%/own_constants.tsv) ## constants from bags of several representative volumes, and keep them
-	@$(STUDY_PY) -m ch5.volumes constants $(C5V_VOLUMES:%=$(C5V)/%/own_constants.tsv) $(call whole,$(C5)/kept/volumes_$(PROFILE).tsv)
+	@$(STUDY_PY) -m ch5.volumes constants $(C5)/kept $(C5V_VOLUMES:%=$(C5V)/%) $(call whole,$(C5)/kept/volumes_$(PROFILE).tsv)
 
 .PRECIOUS: $(C5V)/%.h5
 # The file's name is uc_GEOTEXTILE.

@@ -256,17 +256,39 @@ def test_a_cell_that_ends_at_its_greatest_stress_has_no_capacity():
 
 def test_constants_of_several_volumes_have_their_scatter(tmp_path):
     heads = [(name, "Pa" if name == "alpha" else "1") for name in measures.OWN]
-    paths = []
-    for volume, share in (("4", 1), ("5", 1.2), ("6", 1.4)):
-        paths.append(tmp_path / f"{volume}.tsv")
+    for volume, share in (("kept", 0.5), ("4", 1), ("5", 1.2), ("6", 1.4)):
+        (tmp_path / volume).mkdir()
         columns = [(f"{name} [{unit}]\t{name}_given [{unit}]", f"{share * (2e7 if name == 'alpha' else 1)}\t{2.5e7 if name == 'alpha' else 1.1}")
                    for name, unit in heads]
-        paths[-1].write_text("\t".join(head for head, _ in columns) + "\n" + "\t".join(row for _, row in columns) + "\n")
-    told = dict(line.split("\t", 1) for line in volumes.COMMANDS["constants"](*paths).splitlines())
-    assert told["kappa"] == "1\t1.1\t1.2\t0.2\t1\t1.4\t3"
-    assert told["alpha"] == "MPa\t25\t24\t4\t20\t28\t3"
-    with pytest.raises(StudyError, match="no scatter: give at least two files"):
-        volumes.COMMANDS["constants"](paths[0])
+        (tmp_path / volume / "own_constants.tsv").write_text("\t".join(head for head, _ in columns) + "\n" + "\t".join(row for _, row in columns) + "\n")
+        for geotextile in ("PE", "3PP"):
+            # The state under the preload is the last row of stage 0.
+            (tmp_path / volume / f"uc_{geotextile}.tsv").write_text(f"stage [1]\tobliquity [1]\n0\t9\n0\t{share}\n1\t8\n")
+    told = dict(line.split("\t", 1) for line in volumes.COMMANDS["constants"](*(tmp_path / v for v in ("kept", "4", "5", "6"))).splitlines())
+    assert told["quantity"] == "unit\tpublished\tfull size\tvolume 4\tvolume 5\tvolume 6\tmean\tstandard deviation"
+    assert told["q/p under the preload, PE"] == "1\t1.38\t0.5\t1\t1.2\t1.4\t1.2\t0.2"
+    assert told["kappa"] == "1\t1.1\t0.5\t1\t1.2\t1.4\t1.2\t0.2"
+    assert told["alpha"] == "MPa\t25\t10\t20\t24\t28\t24\t4"
+    with pytest.raises(StudyError, match="no scatter: give at least two folders"):
+        volumes.COMMANDS["constants"](tmp_path / "kept", tmp_path / "4")
+
+
+def test_the_appendix_tells_what_the_kept_table_of_volumes_holds():
+    rows = [line.split("\t") for line in (chapter.HERE / "kept/volumes_quick.tsv").read_text().splitlines()]
+    of = {row[0]: dict(zip(rows[0], row, strict=True)) for row in rows}
+    each = {name: sorted(float(of[name][head]) for head in rows[0] if head.startswith("volume ")) for name in of if name != "quantity"}
+    told = " ".join((chapter.HERE / "words.toml").read_text().replace("\\\n", "").split())
+    preload, kappa = of["q/p under the preload, PE"], of["kappa"]
+    for words in (f"between {each['q/p under the preload, PE'][0]} and {each['q/p under the preload, PE'][-1]} in the four PE bags",
+                  f"{preload['full size']} in the full-size bag and {preload['published']} in the recorded series",
+                  f"gives κ = {each['kappa'][-1]}", f"give {each['kappa'][0]} to {each['kappa'][2]}", f"full-size bags {kappa['full size']}"):
+        assert words in told, words
+    least_preload = min((float(preload[head]), head) for head in rows[0] if head.startswith("volume "))[1]
+    assert float(kappa[least_preload]) == each["kappa"][-1]
+    for name in ("C_t", "kappa", "lambda", "xi"):
+        assert each[name][0] < float(of[name]["published"]) < each[name][-1], name
+    for name in ("p_1", "p_2"):
+        assert each[name][-1] < float(of[name]["published"]), name
 
 
 def test_reasons_tell_the_numbers_of_the_kept_cells():
