@@ -68,8 +68,8 @@ struct Homogenize {
     t.option(choice.boxes, "box", "X0,X1,Y0,Y1,Z0,Z1", "volume of interest, m; of disks X0,X1,Y0,Y1");
     t.flag(choice.copies, "copies", "take the copies of a tiled packing as volumes of interest");
     t.flag(choice.groups, "groups",
-           "volumes along x in the middle of a bag, #1 to #5 of thesis Fig. 3.9: four copies each of ten by ten, one "
-           "of five by five");
+           "volumes along x in the middle of a bag, #1 to #5 of thesis Fig. 3.9: each has four copies of ten by ten, "
+           "or one of five by five");
     t.flag(grains, "grains", "one row per grain");
     t.flag(yarns, "yarns", "one row per yarn of a geotextile");
     t.flag(tessellation, "tessellation", "add the void ratio of the cell from the power cells");

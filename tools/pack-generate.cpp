@@ -35,8 +35,8 @@ constexpr Parameter dimension_parameter{"dimension", "1",   2,
 constexpr Parameter coarsest_parameter{"coarsest", "m", 0, 1e3, true, "coarser grains of the grading are left out"};
 constexpr Parameter density_parameter{
     "density", "kg/m3", 0, 1e12, true, "density of the grains, scaling included [2650e3, or a packing file's own]"};
-constexpr Parameter rate_parameter{"max_rate", "1/s", 0,
-                                   1e3,        true,  "largest strain rate of compression [1, or fit for the size]"};
+constexpr Parameter rate_parameter{
+    "max_rate", "1/s", 0, 1e3, true, "largest strain rate of compression [1, or suited to the grain size]"};
 constexpr Parameter tolerance_parameter{"tolerance", "1", 0, 1, true, "unbalanced force of an equilibrium"};
 
 struct PackGenerate {
@@ -64,7 +64,7 @@ struct PackGenerate {
     table.option(mean_radius, radius_parameter);
     table.option(aspect, aspect_parameter);
     table.option(cloud_void_ratio, cloud_parameter);
-    table.option(material, "material", "FILE", "TOML with [contact], [grains]; default: thesis, fit for the size");
+    table.option(material, "material", "FILE", "TOML with [contact], [grains]; default: the thesis's, scaled");
     table.option(density, density_parameter);
     table.option(max_rate, rate_parameter);
     table.option(tolerance, tolerance_parameter);

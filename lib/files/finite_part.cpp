@@ -1,4 +1,4 @@
-// Removes what is not finite from a state.
+// Removes grains and contacts with numbers that are not finite from a state.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "files/finite_part.h"
 

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Constants of the wrapped soil from the bags of each packing, and the ranges in which those of one more packing lie."""
+"""Constants of the wrapped soil from the bags of each packing, and prediction intervals for one more packing."""
 # SPDX-License-Identifier: GPL-3.0-or-later
 import pathlib
 import sys

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Says what make own will take: steps per second of a short trial on this machine, times the steps of all runs."""
+"""Estimates the hours of make own: steps of all runs over the steps per second of a short trial on this machine."""
 # SPDX-License-Identifier: GPL-3.0-or-later
 import argparse
 import os

@@ -37,9 +37,9 @@ def doubts(sizes, finer, height):
     said = []
     fines = float(numpy.interp(SILT, sizes, finer, left=0))
     if fines > 0.5:
-        said.append(f"{100 * fines:.3g} % of the mass is finer than {SILT:g} mm: silt, which drains slowly and may stick together, where the grains "
-                    "here do neither")
+        said.append(f"{100 * fines:.3g} % of the mass is finer than {SILT:g} mm: silt drains slowly and may be cohesive, "
+                    "and the simulated grains are neither")
     if OVER_HEIGHT * sizes[-1] > 1e3 * height:
-        said.append(f"its largest grains measure {sizes[-1]:.4g} mm in a bag of {1e3 * height:g} mm: fewer than {OVER_HEIGHT} over its height, where "
-                    "the bags of grains have more, and the solution a continuum; use a higher bag, or sieve the soil")
+        said.append(f"its largest grains measure {sizes[-1]:.4g} mm in a bag of {1e3 * height:g} mm: fewer than {OVER_HEIGHT} over its height. "
+                    "The simulated bags have more, and the solution assumes a continuum; use a higher bag, or sieve the soil")
     return said

@@ -28,7 +28,7 @@ OPTIONAL = ("factors", "packing_void_ratio", "strength_fraction")
 BAG = {"width": "m", "height": "m"}
 # Ranges of sizes (m) and surcharges (Pa) that bags have. The solution takes more (bag_extent, surcharge_range).
 EXTENT, SURCHARGE = (0.01, 100), (1e3, 1e7)
-# Heights over width like that of the bags of grains that were run (lib/gws/solution/doubts.cpp).
+# Heights over width like that of the simulated bags (lib/gws/solution/doubts.cpp).
 SHAPE = (0.1, 0.4)
 # Factors and the greatest ones that are taken; tan phi is divided by 1.25 in most codes.
 FACTORS = {"creep": 10, "installation": 10, "durability": 10, "load": 10, "soil": 2}
@@ -171,8 +171,8 @@ def doubts(own):
     bag = own.values["bag"]
     said += [f"{own.path.parent / own.values['grading']}: {line}" for line in grading.doubts(*own.grading, bag["height"])]
     if not SHAPE[0] <= bag["height"] / bag["width"] <= SHAPE[1]:
-        said.append(f"{own.path}: the bag is {1e3 * bag['width']:g} mm wide and {1e3 * bag['height']:g} mm high, where grains were run in bags with "
-                    f"{SHAPE[0]:g} to {SHAPE[1]:g} of their width as height: the solution is untested there; check that the two are not exchanged")
+        said.append(f"{own.path}: the bag is {1e3 * bag['width']:g} mm wide and {1e3 * bag['height']:g} mm high, where simulated bags had a height of "
+                    f"{SHAPE[0]:g} to {SHAPE[1]:g} times their width: the solution is untested there; check that the two are not exchanged")
     return said + own.fabric.doubts
 
 

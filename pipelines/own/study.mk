@@ -71,7 +71,7 @@ $(error OWN_STRAIN=$(OWN_STRAIN): give a share of the height between 0.01 and 0.
 endif
 endif
 
-# Settings on which packings, calibration and bags depend; (0) comes before. The surcharge is not among them, so another one makes none of them anew.
+# Settings on which packings, calibration and bags depend; (0) comes before. The surcharge is not among them, so a change of it repeats none of them.
 $(OWNO)/settings: always $(OWNO)/judged
 	@$(call remember,$(PROFILE) $(OWN_VOID_RATIO) $(OWN_GRAINS) $(OWN_RADIUS))
 $(OWN_CAL)/settings: always $(OWNO)/inputs.mk
@@ -96,7 +96,7 @@ $(OWNO)/packing_%.h5: $(OWNO)/settings $(OWNO)/grading.tsv $(BIN)/pack-generate
 	@$(BIN)/pack-generate --grading $(OWNO)/grading.tsv --grains $(OWN_GRAINS) --void-ratio $(OWN_VOID_RATIO) --pressure 1e3 --seed $* \
 	  --mean-radius $(OWN_RADIUS) --threads 1 --quiet --force -o $@ 2> $(@:.h5=.said); status=$$?; cat $(@:.h5=.said) >&2; exit $$status
 
-# (a) A status of 1 says that the effective size is not reached; the page tells it.
+# (a) A status of 1 means that the effective size is not reached; the page says so.
 $(OWN_CAL)/posterior.h5: $(OWNO)/packing_1.h5 $(OWN_PRIOR) $(OWN_CAL)/settings $(OWN_TABLES) pipelines/calibrate.sh $(C2_RUN) $(BIN)/pf-weight $(BIN)/plot
 	@BIN=$(BIN) pipelines/calibrate.sh --prior $(OWN_PRIOR) --packing $< $(OWN_TESTS) --until $(OWN_UNTIL) --stations $(OWN_STATIONS) --error $(OWN_ERROR) \
 	  --samples $(OWN_SAMPLES) --rounds $(OWN_ROUNDS) --effective-size $(OWN_SIZE) --rate $(OWN_RATE) $(OWN_CAL) || [ $$? = 1 -a -e $@ ]

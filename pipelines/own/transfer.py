@@ -32,7 +32,7 @@ def scatter(loads):
 
 
 class Transfer:
-    """The asked bag's load by settlement: the model's load times a factor, the ratio of simulated to modelled loads of bags of grains.
+    """The asked bag's load by settlement: the model's load times a factor, the ratio of simulated to modelled loads of the simulated bags.
 
     asked, grains: the model's responses (gws-solve respond) for the asked bag, with samples, and for a bag like the simulated ones. loads:
     tables of the simulated bags. The factor removes errors that the model makes alike in both. The middle 80 % combine two scatters,
@@ -62,7 +62,7 @@ class Transfer:
         """Returns the geometric mean of the simulated loads over the model's load. Raises StudyError if a bag carries nothing."""
         loads, model = self.compared(settlement)
         if not min(*loads, model) > 0:
-            raise StudyError(f"a bag of grains carries nothing at a settlement of {settlement:.3g}: no factor on the model can be told; see the "
+            raise StudyError(f"a simulated bag carries nothing at a settlement of {settlement:.3g}: the factor on the model is unknown; see the "
                              "bags' tables uc_*.tsv and other_*.tsv")
         return float(numpy.exp(numpy.mean(numpy.log(loads))) / model)
 

@@ -360,7 +360,7 @@ def test_the_answer_has_the_factor_of_the_bags_and_their_scatter():
     spread = numpy.hypot(bags, 1.2816 * numpy.log(1.25) / 1.96)
     assert (median, low, high) == pytest.approx((100 * factor, 100 * factor * numpy.exp(-spread), 100 * factor * numpy.exp(spread)))
     assert transfer.loads_of_design(told, 200e3, 0.3) == pytest.approx((200e3 / factor, 200e3 / factor * numpy.exp(spread)))
-    with pytest.raises(StudyError, match="a bag of grains carries nothing at a settlement of 0.05"):
+    with pytest.raises(StudyError, match="a simulated bag carries nothing at a settlement of 0.05"):
         transfer.Transfer(asked, linear("settlement", 0.5, 250e3), [*loads, linear("strain_axial", 0.08, 0)]).factor(0.05)
 
 

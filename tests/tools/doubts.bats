@@ -153,7 +153,7 @@ follows() {
 }
 
 @test "a friction angle in radians is doubted wherever packings are made" {
-  local radians="doubt: a friction angle of 0.5 degrees is next to none; if radians are meant, write 28.65"
+  local radians="doubt: a friction angle of 0.5 degrees is nearly zero; if radians are meant, write 28.65"
   cat > material.toml << 'TOML'
 [contact]
 law = "hertz-mindlin"

@@ -118,14 +118,14 @@ starts() {
   local top='the traction on "top" is ' soil="kPa along y, and the soil's stress at the start balances "
   starts "" elastic.toml
   starts "" elastic.toml --set 'traction.0.y="-18.5 kPa"'
-  starts "$top-0.02 ${soil}-20 kPa there: the soil springs; if -20 kPa is meant, write \"-20 kPa\"" elastic.toml --set traction.0.y=-20
-  starts "$top-20 ${soil}-0.02 kPa there: the soil springs; if an initial stress of 20 kPa is meant, write \"20 kPa\"" \
+  starts "$top-0.02 ${soil}-20 kPa there: the soil would oscillate; if -20 kPa is meant, write \"-20 kPa\"" elastic.toml --set traction.0.y=-20
+  starts "$top-20 ${soil}-0.02 kPa there: the soil would oscillate; if an initial stress of 20 kPa is meant, write \"20 kPa\"" \
     elastic.toml --set 'soil.initial_stress=[10,20,10]'
-  starts "$top-25 ${soil}-20 kPa there: the soil springs; make the two equal, unless a sudden load is meant" \
+  starts "$top-25 ${soil}-20 kPa there: the soil would oscillate; make the two equal, unless a sudden load is meant" \
     elastic.toml --set 'traction.0.y="-25 kPa"'
   starts "${top}20 ${soil}-20 kPa" elastic.toml --set 'traction.0.y="20 kPa"'
   starts "${top}5 kPa along x, and the soil's stress at the start balances 0 kPa there" elastic.toml --set 'traction.0.x="5 kPa"'
-  starts "the seat pressure on \"bottom\" is 0.02 ${soil}20 kPa there: the soil springs; if 20 kPa is meant, write \"20 kPa\"" \
+  starts "the seat pressure on \"bottom\" is 0.02 ${soil}20 kPa there: the soil would oscillate; if 20 kPa is meant, write \"20 kPa\"" \
     elastic.toml --set geosynthetic.seat_pressure=20
   # Supports hold the boundary, or there is no stress at all.
   starts "" elastic.toml --set 'traction.0.on="left"' --set 'traction.0.x="90 kPa"' --set traction.0.y=0
@@ -270,10 +270,10 @@ mesh() {
 @test "a soil that still swings at the end of a run is doubted, and the remedies work" {
   sed '/^\[geosynthetic\]/,/^holds_soil/d; s/^on = "right"/on = "bottom"/; s/^columns.*/columns = 2/; s/^rows.*/rows = 1/
     /^initial_stress/d' elastic.toml | awk '/^on = "bottom"/ { print; getline; print "y = 0"; next } { print }' > pressed.toml
-  local words="fem-dem: doubt: the soil is not at rest at the end: it is off by about " remedy time
+  local words="fem-dem: doubt: the soil is not at rest at the end: it swings by about " remedy time
   exits 0 fem-dem --quiet pressed.toml -o whole.h5
   # shellcheck disable=SC2154  # set by exits
-  [[ $stderr == "$words"*" % of the change that its loads cause, so that stresses and displacements are those of one moment; where its rest is sought, give quasi_static.kinetic_energy = "*", or soil.damping = "* ]] || show
+  [[ $stderr == "$words"*" % of the change that its loads cause, so that stresses and displacements vary in time; to bring it to rest, give quasi_static.kinetic_energy = "*", or soil.damping = "* ]] || show
   [[ $(to-vtk --history whole.h5) == *"doubt: unrest: the soil is not at rest"* ]] || show "not in the file"
   remedy=${stderr##*give }
   # Every phase is doubted.
@@ -290,7 +290,7 @@ mesh() {
     near "$(value rest.tsv reaction_y_bottom last)" 12000 0.01
   done
   exits 0 fem-dem --quiet pressed.toml --set quasi_static.kinetic_energy=1 -o loose.h5
-  [[ $stderr == "$words"*"where its rest is sought, give quasi_static.kinetic_energy = "* ]] || show
+  [[ $stderr == "$words"*"to bring it to rest, give quasi_static.kinetic_energy = "* ]] || show
   # A run that goes on ends in the same bytes, also beside packings.
   local -a swinging=(grains.toml disks.h5 --set geosynthetic.end.x=0 --set 'traction.0.y="-30 kPa"' --set time.duration=0.05)
   exits 0 fem-dem --quiet "${swinging[@]}" -o swung.h5

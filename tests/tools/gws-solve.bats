@@ -259,7 +259,7 @@ CASES
   exits 65 gws-solve respond --soil mine.toml --geotextile PP
   sed '/^\[identified/,/^$/d' "$LAB/../soils/toyoura-gws.toml" > ranges.toml
   exits 0 gws-solve respond --soil ranges.toml --geotextile PP
-  [[ $stderr == *"doubt: soil toyoura-gws lacks [identified] with stiffness, mean_stress and axial_strain, the ranges of its data: extrapolation is not seen" ]] || show
+  [[ $stderr == *"doubt: soil toyoura-gws lacks [identified] with stiffness, mean_stress and axial_strain, the ranges of its data: extrapolation cannot be noticed" ]] || show
 }
 
 @test "identify takes each bag once, and of its rows those of loading" {
@@ -427,7 +427,7 @@ fraction of the geotextile's strength" ]] || show
   exits 0 to-vtk --history far.h5
   [[ $output == *"  doubt: extrapolation: the constants of toyoura-gws"* ]] || show
   exits 0 gws-solve respond --geotextile PP --soil toyoura-gws --width "80 mm" --height "0.4 m" --lateral-stress "150 kPa"
-  [[ $stderr == *"doubt: the solution is untested here: height over width 5 (grains were run in bags of 0.2), lateral stress 150 kPa (grains were run under 0 to 100 kPa)"* ]] || show
+  [[ $stderr == *"doubt: the solution is untested here: height over width 5 (simulated bags had 0.2), lateral stress 150 kPa (simulated under 0 to 100 kPa)"* ]] || show
   # Below about 30 kPa of surcharge no geotextile is stretched in a cell under 10 kPa; under 20 MPa none ever is.
   exits 0 gws-solve respond --geotextile PP --soil toyoura-gws --lateral-stress "10 kPa" --surcharge "20 kPa"
   [[ $stderr == *"doubt: at 20 kPa the lateral stress outside, 10 kPa, exceeds the soil's"* ]] || show

@@ -100,7 +100,7 @@ TEST(Scenario, DoubtsFrictionAnglesInRadians) {
   EXPECT_EQ(doubts(footing + load, sand), Keys{});
   EXPECT_EQ(doubts(footing + load, with(sand, {"soil.friction_angle=0.52"})), Keys{"friction"});
   EXPECT_EQ(scenario(footing + load, with(sand, {"soil.friction_angle=0.52"})).doubts[0].sentence,
-            "a friction angle of 0.52 degrees is next to none; if radians are meant, write 29.79");
+            "a friction angle of 0.52 degrees is nearly zero; if radians are meant, write 29.79");
 }
 
 TEST(Scenario, RefusesInitialStressOutsideOfTheFailureSurface) {

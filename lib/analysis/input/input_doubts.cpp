@@ -1,4 +1,4 @@
-// Doubts about what a scenario gives and its packing does not use, or bears in another unit.
+// Doubts about tables of a scenario that its packing does not use, and about values in another unit.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "analysis/input/input_doubts.h"
 

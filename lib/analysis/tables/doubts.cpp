@@ -100,7 +100,7 @@ std::vector<Doubt> inertia_doubts(const io::Snapshot& start, const dem::Scenario
       {"inertia",
        fmt::format("stage \"{}\" at {:.3g} 1/s: inertial number {:.1e} (grains of {:.3g} m and {:.3g} kg/m3, scaling "
                    "included, at {:.3g} Pa): above {:.0e} the response depends on the rate; a rate of {:.1g} 1/s "
-                   "would do",
+                   "is slow enough",
                    scenario.stages[worst->stage].name, worst->rate, largest, diameter, density, worst->pressure,
                    largest_inertia, slower(worst->rate, largest))}};
 }
@@ -222,7 +222,7 @@ std::vector<Doubt> cell_doubts(const io::Snapshot& state) {
     return {
         {"cell-over-grain",
          fmt::format("the cell is {:.2g} diameters of the largest grain ({:.3g} m) wide along {}, below {:.0f}: its "
-                     "faces shape the answer; take {:.0f} times the grains, or leave out the largest",
+                     "periodicity affects the result; take {:.0f} times the grains, or leave out the largest",
                      widths[a], 2 * *std::max_element(state.grains.radius.begin(), state.grains.radius.end()), "xyz"[a],
                      narrowest, std::ceil(std::pow(narrowest / widths[a], dimension)))}};
   }
@@ -267,15 +267,16 @@ std::vector<Doubt> compaction_doubts(const io::Snapshot& state) {
                                  "them all the same; take a denser packing, or leave out the finest grains",
                                  100 * rattlers, 100 * limits.rattlers)});
   if (z.all < limits.coordination)
-    doubts.push_back({"coordination",
-                      fmt::format("2 Nc/N is {:.2f} after an isotropic compression, below {}: the packing hardly holds "
-                                  "itself; take a denser one",
-                                  z.all, limits.coordination)});
+    doubts.push_back(
+        {"coordination", fmt::format("2 Nc/N is {:.2f} after an isotropic compression, below {}: the packing is hardly "
+                                     "stable; take a denser one",
+                                     z.all, limits.coordination)});
   if (const double obliquity = stress_obliquity(state); !(obliquity <= limits.obliquity))
     doubts.push_back(
-        {"isotropy", fmt::format("q/p is {:.2g} in a state that should be isotropic, more than {:.2g}: an upright cell "
-                                 "leaves its shear stress; take more grains, or another seed",
-                                 obliquity, limits.obliquity)});
+        {"isotropy",
+         fmt::format("q/p is {:.2g} in a state that should be isotropic, more than {:.2g}: a cell with right "
+                     "angles keeps its shear stress; take more grains, or another seed",
+                     obliquity, limits.obliquity)});
   return doubts;
 }
 
@@ -287,14 +288,14 @@ std::vector<Doubt> bag_doubts(const io::Snapshot& state) {
   // If most grains are beyond the geotextile, it is a sheet within soil, not a bag.
   if (const std::size_t out = beyond(state, part); out > 0 && 2 * out < soil)
     doubts.push_back(
-        {"outside", fmt::format("{} of {} grains are beyond the geotextile: they bear nothing of it, and soil "
+        {"outside", fmt::format("{} of {} grains are beyond the geotextile: it does not confine them, but soil "
                                 "stresses and void ratio count them; a finer mesh holds them",
                                 out, soil)});
   if (const double z = coordination(state, those(part, Part::soil)).all; z < loosest_bag)
     doubts.push_back(
         {"preload",
-         fmt::format("2 Nc/N of the soil in the bag is {:.2g}, below {:.0f}: it bears nothing yet, and plates "
-                     "compress air first; let filter-expand grow it ([growth]), or load it first",
+         fmt::format("2 Nc/N of the soil in the bag is {:.2g}, below {:.0f}: it bears no load yet, and plates "
+                     "close its gaps first; let filter-expand grow it ([growth]), or load it first",
                      z, loosest_bag)});
   return doubts;
 }

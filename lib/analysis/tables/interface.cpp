@@ -59,9 +59,9 @@ io::Series interface(const io::Series& run, const ShearBox& box) {
       put(table, name, run.at(name).unit, run.at(name).long_name, run.at(name).values[i]);
     const double shear = 0.0 - sum(run, "force", box.planes, i).head<2>().dot(along);
     const double normal = sum(run, "force", box.lids, i).z();
-    put(table, "travel", "m", "displacement of the plane that goes farthest along level ground",
+    put(table, "travel", "m", "displacement of the plane with the largest horizontal travel",
         way(foremost, i).dot(along));
-    put(table, "shear_force", "N", "force of the planes on the soil along that way, which the geotextile holds back",
+    put(table, "shear_force", "N", "force of the planes on the soil along that travel, which the geotextile resists",
         shear);
     put(table, "normal_force", "N", "force of the soil on the lid", normal);
     put(table, "friction_angle", "deg", "angle whose tangent is the shear force over the normal force",

@@ -240,7 +240,7 @@ std::vector<Doubt> radian_doubts(const std::vector<double>& angles) {
   for (const double angle : angles)
     if (angle > 0 && angle < std::numbers::pi / 2 * degree)
       return {{"friction",
-               fmt::format("a friction angle of {:.3g} degrees is next to none; if radians are meant, write {:.4g}",
+               fmt::format("a friction angle of {:.3g} degrees is nearly zero; if radians are meant, write {:.4g}",
                            angle / degree, angle / degree / degree)}};
   return {};
 }
@@ -251,12 +251,10 @@ std::vector<Doubt> overlap_doubts(const io::Snapshot& state) {
   const double overlap = std::reduce(overlaps.begin(), overlaps.end()) / static_cast<double>(overlaps.size());
   const double radius = std::reduce(radii.begin(), radii.end()) / static_cast<double>(radii.size());
   if (overlap <= largest_overlap * radius) return {};
-  return {
-      {"soft",
-       fmt::format(
-           "contacts overlap by {:.2g} of the mean radius in the mean, more than {:.2g}: grains are too soft for the "
-           "stress; take a greater Young's modulus, or less stress",
-           overlap / radius, largest_overlap)}};
+  return {{"soft",
+           fmt::format("the mean overlap is {:.2g} of the mean radius, more than {:.2g}: grains are too soft for the "
+                       "stress; take a greater Young's modulus, or less stress",
+                       overlap / radius, largest_overlap)}};
 }
 
 }  // namespace soilweave::analysis

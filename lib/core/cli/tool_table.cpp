@@ -258,7 +258,7 @@ void Table::resume(double& interval) {
   option(interval, checkpoint_every);
   impl_->options.back().general = true;
   unrecorded("checkpoint-every");
-  flag(impl_->invocation.resume, "resume", "go on with a run that was stopped; ends in the same bytes");
+  flag(impl_->invocation.resume, "resume", "continue a stopped run; the result is byte-identical");
   impl_->options.back().general = true;
   unrecorded("resume");
 }

@@ -110,7 +110,7 @@ void Guard::balance(std::int64_t step, const Energies& e) const {
   const double turned_over = e.turned_over() + std::abs(e.initial()) + e.kinetic() + std::abs(e.stored());
   if (!(std::abs(e.error()) > limits_.energy_error * turned_over)) return;
   throw PhysicsError(
-      fmt::format("step {}: {:.3g} J of energy {}, {:.3g} % of the {:.3g} J turned over, more than the {:.3g} % of "
+      fmt::format("step {}: {:.3g} J of energy {}, {:.3g} % of the {:.3g} J converted, more than the {:.3g} % of "
                   "guards.energy_error: the time step is too large, or grains move too fast: {} or the loading rate",
                   step, std::abs(e.error()), e.error() < 0 ? "came from nowhere" : "went nowhere",
                   100 * std::abs(e.error()) / turned_over, turned_over, 100 * limits_.energy_error, lower_step()));

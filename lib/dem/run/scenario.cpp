@@ -28,11 +28,11 @@ Tolerances read_tolerances(Settings& document, std::int64_t& largest_station) {
   static constexpr Parameter unbalanced{
       "unbalanced_force", "1", 0, 1, true, "mean resultant on grains over mean contact force, at every recorded state"};
   static constexpr Parameter stress{
-      "stress_tolerance", "1", 0, 1, true, "distance of stresses from their goals, relative"};
+      "stress_tolerance", "1", 0, 1, true, "relative deviation of stresses from their goals"};
   static constexpr Parameter steps{"steps", "1", 1, 1e12, false, "steps after which a station counts as unreachable"};
   Settings table = document.table("equilibrium");
   largest_station = table.integer(steps, 2'000'000);
-  static constexpr Parameter kinetic{"kinetic_energy", "J", 0, 1e300, true, "largest at every recorded state"};
+  static constexpr Parameter kinetic{"kinetic_energy", "J", 0, 1e300, true, "limit at every recorded state"};
   const double force = table.number(unbalanced, 1e-3);
   Tolerances tolerances{table.number(stress, 1e-3), force};
   if (table.has("kinetic_energy")) tolerances.kinetic_energy = table.number(kinetic);
@@ -44,8 +44,8 @@ ServoRule read_servo(Settings& document) {
       "damping", "1", 0, 0.999, false, "damping of the cell's strain rate", "at 1 the cell would not move"};
   Settings table = document.table("servo");
   ServoRule rule;
-  if (table.choice({"kind", "what the servo takes the cell's response from"}, {"stiffness", "inertia"}, "stiffness") ==
-      "stiffness")
+  if (table.choice({"kind", "property of the packing that the servo's gains follow"}, {"stiffness", "inertia"},
+                   "stiffness") == "stiffness")
     return rule;
   rule.kind = ServoRule::Kind::inertia;
   rule.damping = table.number(damping, rule.damping);
@@ -99,14 +99,9 @@ Stage read_stage(Settings table, const std::vector<PartSetting>& parts) {
   static constexpr Parameter rest{"rest_damping", "1",   0,
                                   0.999,          false, "local non-viscous damping while a station waits for rest"};
   static constexpr Parameter drag{
-      "rest_drag", "1/s", 0, 1e9, false, "drag on all motion, over the mass, while a station waits for rest"};
+      "rest_drag", "1/s", 0, 1e9, false, "drag coefficient over mass, for all motion while a station waits for rest"};
   static constexpr Parameter on_the_way{
-      "way_unbalanced_force",
-      "1",
-      0,
-      1,
-      false,
-      "largest unbalanced force while planes or cell move by a given way, slower if need be; 0: as fast as given"};
+      "way_unbalanced_force", "1", 0, 1, false, "limit of the unbalanced force, which slows the loading; 0: no limit"};
   Stage stage;
   const std::string path = table.kind({"path", "loading path of the stage"}, path_names());
   stage.name = table.text({"name", "name of the stage, for messages and the series"}, path);
@@ -128,7 +123,7 @@ Stage read_stage(Settings table, const std::vector<PartSetting>& parts) {
     stage.rest_drag = number.value_or(0), stage.critical_drag = !number;
   }
   stage.homogeneous_start =
-      table.flag({"homogeneous_start", "whether loading begins and ends with a homogeneous field of velocity"}, false);
+      table.flag({"homogeneous_start", "whether loading begins and ends with a homogeneous velocity field"}, false);
   stage.path = read_path(path, table);
   if (stage.path && stage.path->stations() == 0)
     table.mistake("", "has no stations: its list is empty; name one at least, or leave the stage out");
@@ -202,13 +197,13 @@ double read_density(Settings& document) {
 
 Limits read_limits(Settings& document) {
   static constexpr Parameter overlap{
-      "overlap", "1", 0, 2, true, "overlap of two grains over the smaller radius that counts as broken"};
+      "overlap", "1", 0, 2, true, "overlap of two grains over the smaller radius, above which a run stops"};
   static constexpr Parameter energy{
       "energy_error", "1",  0,
-      1e300,          true, "error of the energy balance, of the energy turned over, that counts as broken"};
+      1e300,          true, "error of the energy balance over all energy converted, above which a run stops"};
   static constexpr Parameter escape{
       "escape", "1",  0,
-      1e300,    true, "distance that grains may leave an open side, in extents of grains and planes at the start"};
+      1e300,    true, "distance that grains may go beyond an open side, over the initial extent of grains and planes"};
   Settings table = document.table("guards");
   Limits limits;
   limits.overlap = table.number(overlap, limits.overlap);

@@ -31,8 +31,8 @@ bool accepted(Settings& table, std::string_view key, const Check& check) {
 }
 
 void read_support(Settings& table, SoilSetup& soil) {
-  static constexpr Parameter speed_x{"x", "m/s", -1e3, 1e3, false, "velocity held along x; 0 holds it"},
-      speed_y{"y", "m/s", -1e3, 1e3, false, "velocity held along y; 0 holds it"};
+  static constexpr Parameter speed_x{"x", "m/s", -1e3, 1e3, false, "prescribed velocity along x; 0 fixes the nodes"},
+      speed_y{"y", "m/s", -1e3, 1e3, false, "prescribed velocity along y; 0 fixes the nodes"};
   static constexpr Parameter gradient{"gradient", "1/s", -1e6, 1e6, false, "velocity gradient xx, xy, yx, yy"};
   Support s{table.text({"on", "name of a boundary, or all for every node"}), {}, {}, {}};
   if (table.has("x")) s.x = table.number(speed_x);
@@ -277,7 +277,7 @@ std::vector<Doubt> balance_doubts(const ModelSetup& setup, const Model& model) {
       return {
           {"load_unbalanced",
            fmt::format("{} on \"{}\" is {:.4g} kPa along {}, and the soil's stress at the start balances {:.4g} kPa "
-                       "there: the soil springs; {}",
+                       "there: the soil would oscillate; {}",
                        load.name, load.boundary, miss.given / 1e3, "xy"[axis], miss.balanced / 1e3,
                        balance_remedy(written, miss, setup.law.has_value()))}};
     }

@@ -20,8 +20,8 @@ constexpr double largest_amplitude = 0.05;
 // Forces out of balance at the start, over the internal forces, below which the loads change nothing. Packings are made
 // to a hundredth of their stress.
 constexpr double least_change = 0.01;
-// Damping over the critical one, at which motion about the rest dies fastest, and the time that it takes, in periods
-// over two pi.
+// Damping over the critical one, at which motion about the rest decays fastest, and the time that this takes, in
+// periods over two pi.
 constexpr double best_damping = 0.7, dying = 10;
 
 // Motion of the soil about its rest, from the forces out of balance at the start and now.
@@ -94,11 +94,10 @@ std::vector<Doubt> rest_doubts(const Scenario& scenario, const Model& model, con
   if (explained || is_driven(scenario.model)) return {};
   const Swing swing = swing_of(model.soil(), start, out_of_balance(scenario.model, model));
   if (!(swing.amplitude > largest_amplitude)) return {};
-  return {
-      {"unrest",
-       fmt::format("the soil is not at rest at the end: it is off by about {:.0f} % of the change that its loads "
-                   "cause, so that stresses and displacements are those of one moment; where its rest is sought, {}",
-                   100 * std::min(swing.amplitude, 1.0), rest_remedy(scenario, swing))}};
+  return {{"unrest",
+           fmt::format("the soil is not at rest at the end: it swings by about {:.0f} % of the change that its loads "
+                       "cause, so that stresses and displacements vary in time; to bring it to rest, {}",
+                       100 * std::min(swing.amplitude, 1.0), rest_remedy(scenario, swing))}};
 }
 
 }  // namespace soilweave::fem

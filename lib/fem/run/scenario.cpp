@@ -142,7 +142,7 @@ ContinuumLaw read_law(Settings& soil, bool limited) {
   law.cohesion = soil.number(cohesion, 0);
   law.dilation_angle = soil.number(dilation, 0) * degree;
   if (law.dilation_angle > *law.friction_angle)
-    soil.mistake("dilation_angle", "is above friction_angle: the soil would make energy");
+    soil.mistake("dilation_angle", "is above friction_angle: the soil would create energy");
   check_initial_stress(soil, law);
   return law;
 }
@@ -162,7 +162,7 @@ void read_soil(Settings& document, ModelSetup& m) {
   static constexpr Parameter damping{"damping", "1/s", 0, 1e6, false, "viscous coefficient c of thesis Eq. 6.2"};
   Settings soil = document.table("soil");
   const std::string material =
-      soil.kind({"material", "what the material points hold"}, {"grains", "elastic", "mohr-coulomb"});
+      soil.kind({"material", "material at the integration points"}, {"grains", "elastic", "mohr-coulomb"});
   m.soil.damping = soil.number(damping, 0.2);
   if (material == "grains") {
     m.soil.density = soil.has("density") ? soil.number(density) : 0;
@@ -246,7 +246,7 @@ void read_geosynthetic(Settings& document, ModelSetup& m) {
   b.damping = table.number(damping, 0.4);
   b.safety = table.number(safety, b.safety);
   b.stop_when_broken =
-      table.choice({"broken", "what a broken bar does to the run"}, {"stop", "go on"}, "stop") == "stop";
+      table.choice({"broken", "whether a run stops at its first broken bar"}, {"stop", "go on"}, "stop") == "stop";
   m.seat_pressure = table.number(seat, 0);
   read_touch(table.table("contact"), b.touch);
   b.start = read_end(table.table("start"));

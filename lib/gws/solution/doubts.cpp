@@ -14,10 +14,10 @@ namespace {
 // Relative tolerance at the ends of a range, because numbers of data are rounded.
 constexpr double slack = 0.01;
 
-// Grains were run in bags of one height over width, and in cells under up to 100 kPa (thesis sections 5.1 and 5.2).
+// Bags of one height over width were simulated, and cells under up to 100 kPa (thesis sections 5.1 and 5.2).
 constexpr double tested_slenderness = 0.2;
 constexpr Span tested_lateral{0, 1e5};
-// Factor on the height over width up to which a bag counts as the shape that was run.
+// Factor on the height over width up to which a bag counts as the shape that was simulated.
 constexpr double like_shape = 2;
 
 // Returns the values that leave a range as one phrase; empty if none does, or if the range is not known.
@@ -67,7 +67,7 @@ std::vector<Doubt> doubts(const SoilFile& soil, bool chosen, const Case& asked, 
   if (soil.estimated.empty() && !(range.stiffness.known() && range.mean_stress.known() && range.axial_strain.known()))
     found.push_back({"unknown-range",
                      fmt::format("soil {} lacks [identified] with stiffness, mean_stress and axial_strain, the ranges "
-                                 "of its data: extrapolation is not seen",
+                                 "of its data: extrapolation cannot be noticed",
                                  soil.name)});
   for (const Doubt& doubt : unscattered(soil)) found.push_back(doubt);
   std::vector<double> pressures, strains;
@@ -86,13 +86,12 @@ std::vector<Doubt> doubts(const SoilFile& soil, bool chosen, const Case& asked, 
                                       soil.name, all)});
   const double slenderness = asked.bag.height / asked.bag.width;
   const bool like = slenderness * like_shape >= tested_slenderness && slenderness <= tested_slenderness * like_shape;
-  const std::string shape = like ? ""
-                                 : fmt::format("height over width {:.4g} (grains were run in bags of {:.4g})",
-                                               slenderness, tested_slenderness);
-  if (std::string all = listed({shape, beyond(tested_lateral, {greatest(asked.lateral)}, "lateral stress", 1e3, " kPa",
-                                              "grains were run under")});
+  const std::string shape =
+      like ? "" : fmt::format("height over width {:.4g} (simulated bags had {:.4g})", slenderness, tested_slenderness);
+  if (std::string all = listed(
+          {shape, beyond(tested_lateral, {greatest(asked.lateral)}, "lateral stress", 1e3, " kPa", "simulated under")});
       !all.empty())
-    found.push_back({"untested", fmt::format("the solution is untested here: {}; load such a bag of grains "
+    found.push_back({"untested", fmt::format("the solution is untested here: {}; simulate such a bag "
                                              "(filter-expand, run-dem) before relying on it",
                                              all)});
   const std::vector<double>& history = asked.lateral.surcharge;
@@ -106,7 +105,7 @@ std::vector<Doubt> doubts(const SoilFile& soil, bool chosen, const Case& asked, 
     found.push_back(
         {"compressed",
          fmt::format("at {:.4g} kPa the lateral stress outside, {:.4g} kPa, exceeds the soil's, {:.4g} kPa: the "
-                     "solution has the geotextile compressed there, which none bears",
+                     "solution compresses the geotextile there, and no geotextile carries compression",
                      states.back().surcharge / 1e3, states.back().lateral / 1e3,
                      states.back().soil.lateral_stress() / 1e3)});
   return found;
@@ -116,9 +115,10 @@ std::vector<Doubt> unscattered(const SoilFile& soil) {
   if (soil.exact.empty()) return {};
   return {
       {"exact-fit",
-       fmt::format("{}: fitted to as many points as constants, so the scatter from point to point is unknown, and "
-                   "intervals and bands lack it; give more points (strengths at three pressures, three geotextiles)",
-                   listed(soil.exact))}};
+       fmt::format(
+           "{}: fitted to as many points as constants, so the scatter from point to point is unknown, and "
+           "intervals and bands do not include it; give more points (strengths at three pressures, three geotextiles)",
+           listed(soil.exact))}};
 }
 
 std::vector<Doubt> contradictions(const Geotextile& geotextile) {

@@ -290,21 +290,27 @@ std::vector<Doubt> filling_doubts(const Growth& growth, const Fill& fill) {
   const double full = fill.void_ratio_of(growth);
   if (!growth.void_ratio || full > *growth.void_ratio - void_ratio_met) return {};
   const char* key = growth.by_delaunay ? "delaunay_void_ratio" : "void_ratio";
-  return {{"dense", fmt::format("the full container has a void ratio of {:.4g}, and growth.{} asks for {:.4g}: soil of "
-                                "this friction presses no looser; ask for less, leave the key out, or give the soil "
-                                "more friction while it grows",
-                                full, key, *growth.void_ratio)}};
+  return {{"dense",
+           fmt::format("the full container has a void ratio of {:.4g}, and growth.{} asks for {:.4g}: soil of "
+                       "this friction cannot fill it more loosely; ask for less, leave the key out, or give the soil "
+                       "more friction while it grows",
+                       full, key, *growth.void_ratio)}};
 }
 
 Growth Growth::read(Settings& table) {
   static constexpr Parameter factor{
       "factor", "1", 1, 1.01, true, "factor on the radii at equilibrium", "larger steps scatter the grains"};
   static constexpr Parameter stretch{
-      "stretch", "1", 0, 1, false, "share of the way to the container that the soil is stretched as it grows"};
+      "stretch", "1", 0, 1, false, "share of the stretch to the container's surface that the growing soil gets"};
   static constexpr Parameter unbalanced{
       "unbalanced_force", "1", 0, 1, true, "largest unbalanced force of an equilibrium"};
   static constexpr Parameter negligible{
-      "negligible_overlap", "1", 0, 1, false, "overlap over radius whose force an equilibrium is measured by at least"};
+      "negligible_overlap",
+      "1",
+      0,
+      1,
+      false,
+      "overlap over radius; its force is the least one that residual forces are related to"};
   static constexpr Parameter damping{"damping", "1", 0, 0.999, false, "local non-viscous damping"};
   static constexpr Parameter steps{
       "steps", "1", 1, 1e9, false, "largest number of steps in a round, ten times that before a measurement"};

@@ -101,9 +101,9 @@ void judge(const Surround& how, CompactedCell& cell) {
              b.yarn_length, a.yarn_length, accepting(b.yarn_length / a.yarn_length - 1)));
   if (!(std::abs(b.fill_stress / p - 1) <= how.stress_tolerance))
     miss("fill-stress",
-         fmt::format("the fill bears {:.4g} Pa of {:.4g} Pa, {:+.2g} %, more than surround.stress_tolerance, the "
-                     "reinforced soil "
-                     "{:.4g} Pa: ask for another surround.void_ratio, or set the tolerance to {:.3f} to accept it",
+         fmt::format("the mean stress of the fill is {:.4g} Pa under a pressure of {:.4g} Pa, {:+.2g} %, beyond "
+                     "surround.stress_tolerance; that of the reinforced soil is {:.4g} Pa: ask for another "
+                     "surround.void_ratio, or set the tolerance to {:.3f} to accept it",
                      b.fill_stress, p, 100 * (b.fill_stress / p - 1), b.soil_stress, accepting(b.fill_stress / p - 1)));
 }
 

@@ -37,7 +37,7 @@ void read_compaction(Settings& table, Surround& to) {
       "unbalanced_force", "1", 0, 1, true, "largest unbalanced force of the last equilibrium"};
   static constexpr Parameter rate{"max_rate", "1/s", 0, 1e3, true, "largest strain rate of the cell"};
   static constexpr Parameter first{
-      "first_friction_angle", "deg", 0, 89.9, true, "friction angle of the fill while it comes together"};
+      "first_friction_angle", "deg", 0, 89.9, true, "friction angle of the fill at the start of compaction"};
   static constexpr Parameter height{"height_tolerance", "1", 0, 1, true, "change of the reinforced part's height"};
   static constexpr Parameter stress{
       "stress_tolerance", "1", 0, 1, true, "deviation of the fill's stress from the pressure, relative"};
@@ -53,7 +53,7 @@ void read_compaction(Settings& table, Surround& to) {
   to.height_tolerance = table.number(height, to.height_tolerance);
   to.stress_tolerance = table.number(stress, to.stress_tolerance);
   to.missed_is_error =
-      table.choice({"missed", "what a void ratio out of reach is"}, {"error", "doubt"}, "error") == "error";
+      table.choice({"missed", "consequence of a missed criterion"}, {"error", "doubt"}, "error") == "error";
   r.largest_stage = table.integer(steps, r.largest_stage);
   r.remedies = {"surround.max_rate", "surround.unbalanced_force", "in the plan", "grains.density"};
 }

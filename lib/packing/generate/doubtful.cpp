@@ -41,8 +41,8 @@ void doubt_stress(const io::Snapshot& state, std::vector<Doubt>& doubts) {
   const double ratio = analysis::stress_obliquity(state);
   if (!(ratio <= limits.obliquity))
     doubts.push_back(
-        {"obliquity", fmt::format("q/p is {:.2g} in a state that should be isotropic, above {:.2g}: more grains "
-                                  "(--grains) even it out",
+        {"obliquity", fmt::format("q/p is {:.2g} in a state that should be isotropic, above {:.2g}: take more "
+                                  "grains (--grains)",
                                   ratio, limits.obliquity)});
 }
 
@@ -53,9 +53,9 @@ void doubt_cell(const io::Snapshot& state, std::vector<Doubt>& doubts) {
   const double more = 1.05 * static_cast<double>(state.grains.size()) * std::pow(limits.cell / ratio, d);
   doubts.push_back(
       {"cell",
-       fmt::format("the cell is {:.3g} diameters of the largest grain wide, below {}: about {:.0f} grains (--grains) "
-                   "would fill one wide enough",
-                   ratio, limits.cell, more)});
+       fmt::format(
+           "the cell is {:.3g} diameters of the largest grain wide, below {}: take about {:.0f} grains (--grains)",
+           ratio, limits.cell, more)});
 }
 
 // A number without a unit is read as Pa.

@@ -307,8 +307,8 @@ class Compaction {
   std::optional<std::string> unheld() const {
     if (!recipe_.void_ratio || is_held()) return std::nullopt;
     return fmt::format(
-        "void ratio {:.4f} is not held at {:.4g} Pa: in {} attempts the packing settled elsewhere as friction was "
-        "restored, at last at {:.4f}, which is written; ask for that, or for one within {:.3g} of it",
+        "void ratio {:.4f} is not held at {:.4g} Pa: in {} attempts the packing came to another one as friction was "
+        "restored, at last to {:.4f}, which is written; ask for that, or for one within {:.3g} of it",
         *recipe_.void_ratio, recipe_.pressure, at_.attempt + 1, simulation_.void_ratio(),
         tolerances_held * recipe_.void_ratio_tolerance);
   }

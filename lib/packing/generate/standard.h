@@ -1,4 +1,4 @@
-// Defaults of pack-generate, fit for the size of the grains.
+// Defaults of pack-generate, scaled to the size of the grains.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 

@@ -15,7 +15,7 @@ class Drive final : public Path {
   static constexpr std::string_view name = "drive";
   /// Reads the number of increments (`parts`), and the tables `load` and `move`.
   static Drive read(Settings& table) {
-    static constexpr Parameter parts{"parts", "1", 1, 1e6, false, "equal parts that moves and loads are cut into"};
+    static constexpr Parameter parts{"parts", "1", 1, 1e6, false, "number of equal increments of moves and loads"};
     static constexpr Parameter along{"along", "1", -1, 1, false, "direction"};
     static constexpr Parameter distance{"distance", "m", -1e3, 1e3, false, "displacement over the stage"};
     static constexpr Parameter force{"force", "N", 0, 1e15, false, "load on the grains along the direction"};

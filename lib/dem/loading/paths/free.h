@@ -18,7 +18,7 @@ class Free final : public Path {
   /// Reads [stage.x], [stage.y], [stage.z]: `stress` (held, or ramped from `stress_from`) or `strain`, and `max_rate`.
   /// `parts`: number of equal parts of strains and ramps.
   static Free read(Settings& table) {
-    static constexpr Parameter count{"parts", "1", 1, 1e6, false, "equal parts the goals are approached in"};
+    static constexpr Parameter count{"parts", "1", 1, 1e6, false, "number of equal increments towards the goals"};
     static constexpr Parameter strain{"strain", "1", -2, 2, false, "natural strain of the stage, compression positive"};
     static constexpr Parameter from{"stress_from", "Pa", 0, 1e12, false, "stress at the start of the stage"};
     Free path;
