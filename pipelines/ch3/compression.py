@@ -1,4 +1,4 @@
-"""Uniaxial compression of the bags of PE and PP: measures of one bag beside its record, and of both beside each other."""
+"""Uniaxial compression of the bags of PE and PP: measures of one bag compared with its recorded series, and ratios of both bags."""
 # SPDX-License-Identifier: GPL-3.0-or-later
 import numpy
 from study import NotMade
@@ -111,7 +111,7 @@ def greatest(differences, what):
 
 
 def equal(name, along, rows):
-    """Returns a measure: the greatest difference (%) of a column from the record at equal values of `along`, in some rows.
+    """Returns a measure: the greatest difference (%) of a column from the record, positive if the bag has more, at equal values of `along`, in some rows.
 
     A recorded tension that the bag does not reach is replaced by the greatest one of the bag.
     """
@@ -124,7 +124,7 @@ def equal(name, along, rows):
 
 
 def block(bag, record):
-    """Returns the greatest difference (%) of the volumetric strain, dilation positive, of the block between the faces.
+    """Returns the greatest difference (%) from the record of the dilation of the block between the faces, positive if the bag dilates more.
 
     The dilation is twice the strain of the faces' yarns less the axial strain. It leaves out the sides, unlike the Delaunay
     volume, whose tetrahedra also span hollows there.
@@ -141,7 +141,7 @@ EQUAL = (("tension", "tension_yarn_face", to_peak, ("lateral", "axial", "pressur
          ("unbroken", "tension_yarn_face", unbroken, ("lateral", "axial", "pressure")),
          ("strain", "strain_axial", from_3, ("tension", "axial", "pressure", "lateral")))
 
-# Measures of one bag (b) beside its record (r): name, unit, value.
+# Measures of one bag (b), some relative to its recorded series (r): name, unit, value.
 OF_ONE_BAG = (
     ("first_break", "%", first_break),
     ("peak_axial", "kPa", lambda b, r: b["axial_stress"][peak(b, "axial_stress")]),
@@ -199,7 +199,7 @@ OF_BOTH = (
 
 
 def measure(study, runs):
-    """Measures each compressed bag beside its record, and PP beside PE."""
+    """Measures each compressed bag, its differences from its recorded series, and ratios of PP to PE."""
     for g in GEOTEXTILES:
         study.measure_each(OF_ONE_BAG, lambda g=g: (runs.bag(f"uc_{g}"), runs.record[g]), f"_{g}")
         study.measure_each(OF_A_RECORD, lambda g=g: (runs.record[g],), f"_{g}")

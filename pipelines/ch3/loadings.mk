@@ -1,4 +1,4 @@
-# The loading of the study beside slow plates and fast ones, on bags of several representative volumes: only a mean over volumes tells its
+# Compares the loading of the study with slow and fast plates, on bags of several representative volumes: only a mean over volumes shows its
 # effect from chance. Fast plates move at 10 %/s and slow ones at 0.5 %/s without a limit of the unbalanced force, wait under a drag of
 # 60 1/s until the kinetic energy is 1e-5 J, and move unscaled masses.
 # SPDX-License-Identifier: GPL-3.0-or-later

@@ -1,4 +1,4 @@
-"""Measures of the bag before loading: its generation, its contacts beside the representative volume's, tests of the geotextile alone."""
+"""Measures of the bag before loading: its generation, its contacts compared with the representative volume's, tests of the geotextile alone."""
 # SPDX-License-Identifier: GPL-3.0-or-later
 import functools
 import tomllib

@@ -1,4 +1,4 @@
-"""Measures of chapter 5's runs of grains: bags beside their record, all bags beside each other, cells, and the model beside both."""
+"""Measures of chapter 5's DEM runs: bags compared with recorded series, with each other and with cells, and the model compared with all."""
 # SPDX-License-Identifier: GPL-3.0-or-later
 import functools
 import itertools
@@ -10,7 +10,7 @@ from study import NotMade
 
 from .grains import PRESSURES, RECORDED, SHEARED, SOILS, UNIAXIAL, Copies, strength, there, vertical_hoop
 
-# Measures of a bag beside its record that chapter 3 has.
+# Measures of a bag that chapter 3 has, too.
 BESIDE_RECORD = ("first_break", "peak_axial", "peak_strain", "peak_pressure", "peak_pressure_strain", "obliquity_ratio", "contraction",
                  "equal_tension_lateral", "equal_tension_axial", "equal_tension_pressure", "energy_error")
 COMPARED_AT = 8  # % of strain at which stresses are compared
@@ -40,7 +40,7 @@ OF_EACH_BAG = (
 
 
 def measure_bags(study, grains):
-    """Measures each bag, beside its record where there is one."""
+    """Measures each bag, and its differences from its recorded series where there is one."""
     beside = [row for row in compression.OF_ONE_BAG if row[0] in BESIDE_RECORD]
     for g in RECORDED:
         study.measure_each([(f"uc_{name}", *rest) for name, *rest in beside], lambda g=g: (grains.bag(g), grains.record[g]), f"_{g}")
@@ -111,7 +111,7 @@ def measure_hoops(study, grains):
 
 
 def measure_all_bags(study, grains):
-    """Measures all bags beside each other, and what is identified from them."""
+    """Measures ratios of all bags to each other, and the constants identified from them."""
     value_of = {name: value for name, _, value in OF_EACH_BAG}
 
     def values(name, some=UNIAXIAL):
@@ -188,7 +188,7 @@ def slope_before_break(series, name):
 
 
 def measure_cells(study, grains):
-    """Measures the cells beside each other and beside the bags."""
+    """Compares the cells with each other and with the bags."""
     def not_rising(value):
         found = {key: value(grains.cell(*key)) for key in itertools.product(SHEARED, PRESSURES)}
         return sum(found[g, high] <= found[g, low] for g in SHEARED for low, high in itertools.pairwise(PRESSURES))
@@ -294,7 +294,7 @@ def table_of_misfits(grains):
 
 
 def measure_model(study, grains):
-    """Measures the model, with the constants of Table 5.2, beside the cells and the bags."""
+    """Compares the model, with the constants of Table 5.2, with the cells and the bags."""
     def of(name, some=SHEARED):
         found = misfits(grains, "")
         missing = [key for key in itertools.product(some, PRESSURES) if key not in found]

@@ -1,4 +1,4 @@
-"""Figures of chapter 5's runs of grains: principal stresses in space, friction of the interface, lines, hoops."""
+"""Figures of chapter 5's DEM runs: principal stresses in space, friction of the interface, lines, hoops."""
 # SPDX-License-Identifier: GPL-3.0-or-later
 import numpy
 from study import Drawn, figures, panel

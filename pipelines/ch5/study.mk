@@ -13,7 +13,7 @@ C5_LINES := $(foreach t,constants compression_line failure_line near_failure_lin
 C5_DESIGN := $(addprefix $(C5O)/,chart.tsv sensitivity.txt bands.tsv bands.txt identified.txt)
 
 .PHONY: ch5 ch5-solution
-ch5: $(C5O)/page.html ## geotextile-wrapped soil: seven bags of grains, and the analytical solution beside them
+ch5: $(C5O)/page.html ## geotextile-wrapped soil: seven DEM bags, and the analytical solution
 ch5-solution: $(C5_UNIAXIAL) $(C5_TRIAXIAL) $(C5_LINES) $(C5_DESIGN) ## the tables of the analytical solution alone
 
 # The curves and constants that gws-solve knows by name.

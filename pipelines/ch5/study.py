@@ -17,7 +17,7 @@ HERE = pathlib.Path(__file__).parent
 DRAWN = UNIAXIAL[:-1]
 LINES = ("compression_line", "failure_line", "near_failure_line", "dilatancy_line", "stiffness", "increments", "constants")
 COLOURS = figures.GEOTEXTILE
-CROSSES = "x"  # points of these runs of grains; circles are recorded ones
+CROSSES = "x"  # points of these DEM runs; circles are recorded ones
 GRAINS = "Statements of §5.2 to §5.5 about the DEM runs, and recorded series"
 CONSTANTS = ("C_t", "p_0", "n", "p_c", "kappa", "lambda", "xi", "p_1", "p_2", "alpha", "beta")
 
@@ -186,7 +186,7 @@ def measure_constants(study, runs):
 def compared(runs, grains, some):
     """Returns what is drawn of some geotextiles: solutions, points of the recorded series that are public, and of these bags (crosses).
 
-    Solutions with the constants of Table 5.2 are solid, those with the bags' own dashed. grains: the runs of grains, or None.
+    Solutions with the constants of Table 5.2 are solid, those with the bags' own dashed. grains: the DEM runs, or None.
     """
     bags = grains.bags() if grains else {}
     return [*(Drawn(g, Solution(runs.uniaxial[g]), COLOURS[g]) for g in some),
@@ -204,7 +204,7 @@ def draw_tension(study, runs):
 
 
 def draw_uniaxial(study, runs, grains=None):
-    """Draws Figs. 5.15 and 5.16. grains: the runs of grains, if there are any."""
+    """Draws Figs. 5.15 and 5.16. grains: the DEM runs, if there are any."""
     study.curves("surcharge", *(panel("strain_axial", "surcharge", compared(runs, grains, some), xlim=(0, 20), ylim=(0, None))
                                 for some in (UNIAXIAL[:3], UNIAXIAL[3:])))
     drawn = compared(runs, grains, DRAWN)
@@ -278,7 +278,7 @@ def draw_stiffness(study, runs):
 
 
 def draw_triaxial(study, runs, grains=None):
-    """Draws Figs. 5.17 to 5.20: solutions, and points of the cells of grains where they are made. grains: as in draw_uniaxial()."""
+    """Draws Figs. 5.17 to 5.20: solutions, and points of the DEM cells where they are made. grains: as in draw_uniaxial()."""
     cells, marks = grains.cells() if grains else {}, dict(zip(PRESSURES, ("x", "+", "."), strict=True))
     for x, y in (("strain_axial", "surcharge"), ("strain_axial", "axial_stress"), ("strain_axial", "radial_stress"),
                  ("strain_deviatoric", "strain_volumetric")):
@@ -319,7 +319,7 @@ def draw_design(study, runs):
 
 
 def put_misfits(study, grains):
-    """Writes how far the model is from each run of grains, and lays the table on the page."""
+    """Writes the differences of the model from each DEM run, as a table that the page shows, too."""
     path = study.out / "misfits.tsv"
     put(path, write_table(measures.table_of_misfits(grains)))
     if not study.pageless:
@@ -327,14 +327,14 @@ def put_misfits(study, grains):
 
 
 def build_of_grains(study, grains):
-    """Measures and draws the runs of grains."""
+    """Measures and draws the DEM runs."""
     for measure in measures.MEASURES:
         measure(study, grains)
     put_misfits(study, grains)
 
 
 def draw_of_grains(study, grains, beside=()):
-    """Draws the figures of bags and cells of grains, and those in `beside`, functions of the same arguments.
+    """Draws the figures of DEM bags and cells, and those in `beside`, functions of the same arguments.
 
     A figure whose runs are missing is left out.
     """
@@ -346,9 +346,9 @@ def draw_of_grains(study, grains, beside=()):
 
 
 def build_kept(arguments):
-    """Compares and draws what is kept of the runs of grains at full size, beside the solutions made last."""
+    """Compares and draws the kept DEM runs at full size, beside the solutions made last."""
     study = Study.of(HERE, arguments, digits=None)
-    study.groups, study.checks = [], []  # statements on the solution need no run of grains
+    study.groups, study.checks = [], []  # statements on the solution need no DEM run
     study.expect(HERE / "grains.tsv", GRAINS, table="grains")
     grains = Grains(study.out, arguments.solutions, "not among the kept runs")
     build_of_grains(study, grains)

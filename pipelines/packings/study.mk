@@ -1,4 +1,4 @@
-# Packings: the same sand made from nothing with few and with many grains, at two pressures, and what it then carries.
+# Packings of one sand, with few and with many grains, at two pressures, and their strength in triaxial compression.
 # SPDX-License-Identifier: GPL-3.0-or-later
 
 STUDIES += packings

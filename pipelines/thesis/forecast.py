@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Says what make thesis will take on this machine, by chapter: hours, memory and disk, from a trial of about a minute.
+"""Estimates hours, memory and disk of make thesis on this machine, by chapter, from a trial of about a minute.
 
 The trial runs as many processes at once as there are cores, since runs side by side share caches and memory. The cost of a step is
 a links + b bodies. The trial finds a and b from two packings: a thousand grains, and copies of them that fill a cell of chapter 4.

@@ -16,7 +16,7 @@ from thesis.forecast import Rate, between
 
 # A run writes a checkpoint every five minutes. Without one for three times as long, it counts as stopped.
 SILENT = 900
-# The page loads itself anew, and is written, this often (s).
+# Interval at which the page is written and reloads itself, s.
 EVERY = 30
 _FAILED = re.compile(r"^make(?:\[\d+\])?: \*\*\* \[[^\]]*?: (?P<target>[^\]\s]+)\] Error (?P<status>\d+)")
 # make thesis writes this line into its log when it begins.

@@ -1,4 +1,4 @@
-"""Chapter 5: measures of its runs of grains, by hand, and its page."""
+"""Chapter 5: measures of its DEM runs, computed by hand, and its page."""
 # SPDX-License-Identifier: GPL-3.0-or-later
 import shutil
 import types
