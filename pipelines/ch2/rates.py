@@ -13,7 +13,7 @@ from study.quantities import quantity
 from .inputs import LAWS, PARAMETERS
 
 STRAINS = (1.02, 2.975, 5.95)  # stations of the laboratory (%) at which the response of one set is compared
-OBSERVED = {"stress_ratio": "1", "strain_volumetric": "%"}
+OBSERVED = {"stress_ratio": ("stress ratio", "1"), "strain_volumetric": ("volumetric strain", "%")}
 SHOWN = {"Pa": ("GPa", 1e-9)}  # unit shown for a unit of the tables, and its factor
 HEADS = ["contact law", "quantity", "unit", "study's rate", "±", "a tenth of it", "±"]
 
@@ -34,14 +34,19 @@ def responses(curves):
     """
     own = curves.rows(curves("id", "1") < 10)
     rows = []
-    for name, unit in OBSERVED.items():
+    for name, (words, unit) in OBSERVED.items():
         for strain in STRAINS:
             at = own.rows(numpy.isclose(own("strain_axial", "%"), strain))
             if len(at) < 2:
                 raise StudyError(f"{curves.where}: at {strain} % of axial strain there are {len(at)} runs of the identified set; two twins give a deviation")
             values = at(name, unit)
-            rows.append((f"{quantity(name).words} of the study's set at {strain} %", unit, values.mean(), values.std(ddof=1)))
+            rows.append((f"{words} at {strain} %, set of the study's rate", unit, values.mean(), values.std(ddof=1)))
     return rows
+
+
+def figures(mean, deviation):
+    """Returns a mean and its deviation as words. The deviation is 0 if one set has all the weight, but for rounding."""
+    return f"{mean:.3g}", f"{deviation if deviation > 1e-6 * abs(mean) else 0:.2g}"
 
 
 def table(study, slow, rounds, cases):
@@ -53,7 +58,7 @@ def table(study, slow, rounds, cases):
             folder = Folder(pathlib.Path(of) / case)
             at_either_rate.append(identified(folder(f"round{rounds}_steps")) + responses(folder("check_curves")))
         for (words, unit, *fast), (_, _, *slower) in zip(*at_either_rate, strict=True):
-            lines.append([LAWS[case.split("_")[0]], words, unit, *(f"{value:.3g}" for value in (*fast, *slower))])
+            lines.append([LAWS[case.split("_")[0]], words, unit, *figures(*fast), *figures(*slower)])
     return "".join("\t".join(line) + "\n" for line in lines)
 
 

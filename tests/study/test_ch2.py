@@ -180,11 +180,20 @@ def test_rates_of_loading_are_compared_set_by_set(out):
               stress_ratio=("1", [3 + more, 3.2 + more, 4, 4, 4, 4, 9]), strain_volumetric=("%", [0.1] * 7))
     table = rates.table(fast, slow, 2, ["hm_1000_0.2"]).splitlines()
     assert table[1] == "Hertz–Mindlin\tidentified E\tGPa\t4\t0.2\t4.8\t0.24"
-    assert table[6] == "Hertz–Mindlin\tstress ratio σₐ/σᵣ of the study's set at 1.02 %\t1\t3.1\t0.141\t3.3\t0.141" and len(table) == 12
+    assert table[6] == "Hertz–Mindlin\tstress ratio at 1.02 %, set of the study's rate\t1\t3.1\t0.14\t3.3\t0.14" and len(table) == 12
     write(fast / "hm_1000_0.2/check_curves.tsv", id=("1", [0]), strain_axial=("%", [rates.STRAINS[0]]), stress_ratio=("1", [3]),
           strain_volumetric=("%", [0.1]))
     with pytest.raises(StudyError, match=r"at 1.02 % of axial strain there are 1 runs of the identified set"):
         rates.table(fast, slow, 2, ["hm_1000_0.2"])
+
+
+def test_the_appendix_tells_how_the_kept_response_depends_on_the_rate():
+    rows = [line.split("\t") for line in (chapter.HERE / "kept/rates_quick.tsv").read_text().splitlines()]
+    ratios = [float(row[5]) / float(row[3]) - 1 for row in rows if row[1].startswith("stress ratio")]
+    words = (chapter.HERE / "words.toml").read_text()
+    assert f"{100 * min(ratios):.0f} to {100 * max(ratios):.0f} % higher" in words and len(ratios) == 6
+    volumes = [abs(float(row[5]) - float(row[3])) for row in rows if row[1].startswith("volumetric strain")]
+    assert max(volumes) < 0.06  # %, "changes little"
 
 
 def test_inputs_are_what_runs_and_filter_read(out, tmp_path):
