@@ -1,12 +1,13 @@
 // The geosynthetic alone: tension, catenary, friction between flat sides, breakage, energy, and forces read without a
 // step.
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <numbers>
 
 #include "core/error.h"
-#include "fem/model/bars.h"
+#include "fem/model/guides.h"
 #include "support/same_state.h"
 
 namespace soilweave::fem {
@@ -142,6 +143,29 @@ TEST(Bars, BreakAtTheirStrengthAndSaySo) {
   Bars bars(setup);
   bars.advance(setup.interface, 0.1);
   EXPECT_EQ(bars.broken_bars(), 1U);
+}
+
+TEST(Bars, AreCarriedByGuidesTwoRadiiBelow) {
+  BarsSetup setup = sheet();
+  setup.interface = {{0, 0}, {0.3, 0}};
+  setup.chain = chain_beside(setup.interface, setup.radius, 0.1, 0.1);
+  ASSERT_EQ(setup.chain.size(), 5U);
+  const double r = setup.radius;
+  const auto uncarried = [&](double from, double to, double y) {
+    setup.guides = {{{from, y}, {to, y}, false}};
+    return uncarried_bars(setup);
+  };
+  using List = std::vector<std::size_t>;
+  EXPECT_EQ(uncarried(0, 0.3, -4 * r), List{}) << "the bar that hangs over is not pressed";
+  EXPECT_EQ(uncarried(0.3, -0.1, -4.5 * r), List{}) << "in either direction";
+  EXPECT_EQ(uncarried(0, 0.2, -4 * r), List{3});
+  EXPECT_EQ(uncarried(0, 0.3, -10 * r), (List{1, 2, 3})) << "too far below";
+  EXPECT_EQ(uncarried(0, 0.3, 0), (List{1, 2, 3})) << "above";
+  setup.guides = {{{0, -1}, {0, 1}, false}};
+  EXPECT_EQ(uncarried_bars(setup), (List{1, 2, 3})) << "upright";
+  EXPECT_NE(uncarried_text(setup, {3}).find(fmt::format("from = [-0.1, {0:.4g}], to = [0.3, {0:.4g}]", -4 * r)),
+            std::string::npos)
+      << uncarried_text(setup, {3});
 }
 
 TEST(Bars, GoesOnBitByBit) {

@@ -1,5 +1,6 @@
 // Scenarios of two scales: loads that act, supports that agree, and runs that end at their duration.
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "core/error.h"
@@ -206,6 +207,21 @@ TEST(Scenario, DoubtsSoilThatIsNotAtRestAtTheEndInEveryPhase) {
   EXPECT_EQ(after(footing + load, {"quasi_static.kinetic_energy=1"}), Keys{"unrest"}) << "too much counts as rest";
   EXPECT_EQ(after(footing + "[[support]]\non = \"top\"\ny = -0.001\n", {}), Keys{}) << "driven";
   EXPECT_EQ(after(load, {}), Keys{"soil_free"}) << "nothing holds it";
+}
+
+TEST(Scenario, DoubtsSoilThatIsDrivenFasterThanItFollows) {
+  const auto after = [](double speed, double duration, const std::string& further = "") {
+    const Ranks ranks;
+    Doubts doubts;
+    const Scenario plan = scenario(footing + fmt::format("[[support]]\non = \"top\"\ny = {}\n", speed) + further,
+                                   {"soil.damping=1", "time.safety=0.1", fmt::format("time.duration={}", duration)});
+    run(plan, {}, nullptr, {}, {}, ranks, doubts);
+    return keys_in(doubts);
+  };
+  // The period of the block is about 0.05 s.
+  EXPECT_EQ(after(-0.1, 0.02), Keys{"inertia"});
+  EXPECT_EQ(after(-0.01, 0.2), Keys{}) << "as far in ten times the time";
+  EXPECT_EQ(after(-0.1, 0.02, "[quasi_static]\nkinetic_energy = 1e-6\n"), Keys{});
 }
 
 TEST(Scenario, RefusesPackingsForAContinuum) {

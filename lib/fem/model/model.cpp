@@ -11,6 +11,7 @@
 
 #include "core/error.h"
 #include "core/memory.h"
+#include "fem/model/guides.h"
 
 namespace soilweave::fem {
 namespace {
@@ -110,7 +111,15 @@ void Model::make_bars() {
     loads[k] -= half * setup_.seat_pressure;
     loads[k + 1] -= half * setup_.seat_pressure;
   }
-  bars_->seat(loads);
+  try {
+    bars_->seat(loads);
+  } catch (const Error& error) {
+    const std::vector<std::size_t> uncarried = uncarried_bars(b);
+    if (uncarried.empty()) throw;
+    // The error names the bar that failed first, and remedies for bars that are carried.
+    throw DataError("geosynthetic.seat_pressure: the chain finds no rest on its guides before the start: " +
+                    uncarried_text(b, uncarried));
+  }
 }
 
 // Returns the contribution of the contacts with the geosynthetic to the eigenvalue, 1/s2 (Weyl: eigenvalues of a sum

@@ -81,6 +81,8 @@ class Model {
   /// do not depend on their number. Throws PhysicsError naming element and point.
   void step();
 
+  /// Returns the setup with the chain and its interface, and without packings.
+  const ModelSetup& setup() const { return setup_; }
   /// Returns the step of the soil, s.
   double time_step() const { return dt_; }
   /// Returns the stability limit of the soil's step, s.

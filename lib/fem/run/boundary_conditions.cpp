@@ -14,6 +14,7 @@
 #include "core/error.h"
 #include "core/linear_algebra.h"
 #include "dem/contact/laws/linear_adhesion.h"
+#include "fem/model/guides.h"
 
 namespace soilweave::fem {
 namespace {
@@ -282,6 +283,15 @@ std::vector<Doubt> balance_doubts(const ModelSetup& setup, const Model& model) {
                        balance_remedy(written, miss, setup.law.has_value()))}};
     }
   return {};
+}
+
+std::vector<Doubt> guide_doubts(const Model& model) {
+  const ModelSetup& setup = model.setup();
+  if (!setup.bars || !(setup.seat_pressure > 0)) return {};
+  const std::vector<std::size_t> uncarried = uncarried_bars(*setup.bars);
+  if (uncarried.empty()) return {};
+  return {{"uncarried", "the geosynthetic bears its seat pressure as a hanging chain, since " +
+                            uncarried_text(*setup.bars, uncarried)}};
 }
 
 }  // namespace soilweave::fem

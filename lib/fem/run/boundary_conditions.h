@@ -25,4 +25,7 @@ std::vector<Doubt> loading_doubts(const ModelSetup& setup);
 /// model: before its first step.
 std::vector<Doubt> balance_doubts(const ModelSetup& setup, const Model& model);
 
+/// Returns "uncarried" if a seat pressure acts on bars below which no guide lies.
+std::vector<Doubt> guide_doubts(const Model& model);
+
 }  // namespace soilweave::fem

@@ -20,6 +20,8 @@ constexpr double largest_amplitude = 0.05;
 // Forces out of balance at the start, over the internal forces, below which the loads change nothing. Packings are made
 // to a hundredth of their stress.
 constexpr double least_change = 0.01;
+// Forces out of balance in a soil that is driven, over its internal forces, beyond which it is not loaded slowly.
+constexpr double largest_inertia = 0.2;
 // Damping over the critical one, at which motion about the rest decays fastest, and the time that this takes, in
 // periods over two pi.
 constexpr double best_damping = 0.7, dying = 10;
@@ -63,6 +65,26 @@ std::string rest_remedy(const Scenario& scenario, const Swing& swing) {
                      scenario.duration < longer ? fmt::format(" and time.duration = {:.3g}", longer) : "");
 }
 
+double sum_of(const std::vector<Vec2>& forces) {
+  double sum = 0;
+  for (const Vec2& force : forces) sum += force.norm();
+  return sum;
+}
+
+std::vector<Doubt> inertia_doubts(const OutOfBalance& start, const OutOfBalance& now) {
+  const double share = sum_of(now.forces) / now.internal;
+  if (!(share > largest_inertia)) return {};
+  // A load that was not balanced at the start makes the soil swing at any speed.
+  const std::string slower =
+      sum_of(start.forces) > least_change * start.internal
+          ? "damp it by soil.damping"
+          : fmt::format("drive it {:.2g} times slower for as much longer a time", share / (0.5 * largest_inertia));
+  return {{"inertia", fmt::format("the soil does not follow what drives it: forces of inertia and damping are {:.0f} % "
+                                  "of its internal forces at the end; where slow loading is meant, {}, or give "
+                                  "[quasi_static]",
+                                  100 * share, slower)}};
+}
+
 }  // namespace
 
 OutOfBalance out_of_balance(const ModelSetup& setup, const Model& model) {
@@ -91,8 +113,10 @@ std::vector<Doubt> rest_doubts(const Scenario& scenario, const Model& model, con
   const bool explained = std::any_of(said.begin(), said.end(), [&](const Doubt& d) {
     return std::find(explaining.begin(), explaining.end(), d.key) != explaining.end();
   });
-  if (explained || is_driven(scenario.model)) return {};
-  const Swing swing = swing_of(model.soil(), start, out_of_balance(scenario.model, model));
+  if (explained) return {};
+  const OutOfBalance now = out_of_balance(scenario.model, model);
+  if (is_driven(scenario.model)) return scenario.quasi_static ? std::vector<Doubt>() : inertia_doubts(start, now);
+  const Swing swing = swing_of(model.soil(), start, now);
   if (!(swing.amplitude > largest_amplitude)) return {};
   return {{"unrest",
            fmt::format("the soil is not at rest at the end: it swings by about {:.0f} % of the change that its loads "

@@ -22,7 +22,9 @@ OutOfBalance out_of_balance(const ModelSetup& setup, const Model& model);
 /// Returns "unrest" if supports and chain ends stand still and the soil moves about its rest by more than a twentieth
 /// of the change that its loads cause. An undamped oscillator of stiffness k under a sudden force F has the amplitude A
 /// F/k in every phase, with A^2 = (r/F)^2 + 2 K/W: r is the force out of balance, K the kinetic energy, W the work of
-/// F. start: the forces before the first step. said: doubts so far, some of which explain the motion.
+/// F. start: the forces before the first step. said: doubts so far, some of which explain the motion. Returns "inertia"
+/// if supports or chain ends drive the soil without [quasi_static], and a fifth of its internal forces is out of
+/// balance: forces of inertia and damping, which a slower drive does not have.
 std::vector<Doubt> rest_doubts(const Scenario& scenario, const Model& model, const OutOfBalance& start,
                                const std::vector<Doubt>& said);
 

@@ -46,6 +46,7 @@ void doubt_start(const Scenario& scenario, const std::vector<io::Snapshot>& pack
     of_loads = balance_doubts(scenario.model, model);
   if (of_loads.empty()) of_loads = analysis::bare_stress_doubts(scenario.bare_stresses);
   doubts.add_all(of_loads);
+  doubts.add_all(guide_doubts(model));
   doubts.add_all(timing_doubts(scenario, model, steps));
 }
 
