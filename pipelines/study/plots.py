@@ -48,7 +48,10 @@ def stage_of(table, stage, kind):
     if not table.has("stage"):
         raise StudyError(f"{table.where}: has no column stage by which to choose one; leave --stage out")
     stages = table("stage", "1")
-    return table.rows(stages == (stages[-1] if wanted == "last" else float(wanted)))
+    chosen = stages[-1] if wanted == "last" else float(wanted)
+    if chosen not in stages:
+        raise StudyError(f"{table.where}: has no stage {wanted}, but {', '.join(f'{known:g}' for known in numpy.unique(stages))}; give one of these")
+    return table.rows(stages == chosen)
 
 
 def bag_series(kind, series, loading):
@@ -129,6 +132,28 @@ def _pairs(table, panel, line):
     return x, y
 
 
+def _gaps(label, table, panel, line):
+    """Returns a note, in a list, about the rows without a value, where a curve has gaps."""
+    count = int(numpy.isnan(_column(table, line)).sum())
+    words = f"{label}: {count} of {len(table)} rows have no {line.column}"
+    return [f"{words}, and the curve over {panel.abscissa.column} has gaps there"] if count else []
+
+
+def _disks(table):
+    """Returns whether a series is that of disks, which bear nothing along z; None for a table that does not say."""
+    if not all(table.has(name) for name in ("stress_yy", "stress_zz", "strain_zz")):
+        return None
+    along, across, strain = (table(name, unit, missing=True) for name, unit in (("stress_yy", "Pa"), ("stress_zz", "Pa"), ("strain_zz", "1")))
+    return bool((across == 0).all() and (strain == 0).all() and (along != 0).any())
+
+
+def _mixed(tables):
+    """Returns a doubt, in a list, where tables of disks and of spheres are drawn beside each other."""
+    disks, spheres = ([label for label, table in tables if _disks(table) is flat] for flat in (True, False))
+    both = f"doubt: {disks[0]} is a run of disks, and {spheres[0]} of spheres" if disks and spheres else ""
+    return [f"{both}: their void ratios and coordination numbers do not compare, nor stresses at one stiffness"] if both else []
+
+
 def _dots(x, y):
     """Returns matplotlib's options that mark points without a neighbour, which a line alone would not show."""
     known = numpy.pad(~numpy.isnan(x + y), 1)
@@ -158,7 +183,7 @@ def draw(name, tables, beside=()):
         return _rose(tables)
     if name == "posterior":
         return _posterior(tables), []
-    kind, notes, drawn = KINDS[name], [], []
+    kind, notes, drawn = KINDS[name], _mixed(tables), []
     figure, axes = figures.panels(len(kind.panels), width=4.8 * len(kind.panels) + (1 if len(kind.panels) == 1 else 0))
     for a, panel in zip(axes, kind.panels, strict=True):
         lines = [_chosen(tables, beside, entry) for entry in panel.each]
@@ -166,6 +191,7 @@ def draw(name, tables, beside=()):
         notes += [note for label, table in (*tables, *beside)
                   if table.has(panel.abscissa.column) for note in _left_out(label, table, panel)]
         _curves(a, panel, lines, tables)
+        notes += [note for label, table in tables for line in lines for note in _gaps(label, table, panel, line)]
         notes += _beside(a, panel, lines, beside)
         notes += [note for note in _strains(panel, lines, (*tables, *beside)) if note not in notes]
         label = panel.label or lines[0].axis
@@ -237,6 +263,10 @@ def _rose(tables):
     figure, axes = figures.panels(len(planes), width=4.8 * len(planes))
     colours = _colours([label for label, _ in tables])
     circle = numpy.linspace(0, 2 * numpy.pi, 361)
+    for _, table in tables:
+        last = table.rows(table("step", "1") == table("step", "1")[-1])
+        if numpy.isnan(last("density", "1", missing=True)).any():
+            raise StudyError(f"{table.where}: has no contacts in its last state, and so no rose; give a state under load")
     for a, plane in zip(axes, planes, strict=True):
         a.plot(numpy.cos(circle), numpy.sin(circle), color=figures.GREY, linewidth=1, linestyle="--", label="isotropic")
         for (label, table), colour in zip(tables, colours, strict=True):

@@ -78,7 +78,8 @@ class Table:
         try:
             scale = factor(self._units[name] or "1", unit)
         except StudyError as error:
-            raise StudyError(f"{self.where}: column {name}: {error}") from error
+            why = error if self._units[name] else f"has no unit: head it as {name} [{unit}]"
+            raise StudyError(f"{self.where}: column {name}: {why}") from error
         values = numpy.array([self._number(name, row) for row in range(len(self))], dtype=float)
         if not missing and numpy.isnan(values).any():
             row = int(numpy.flatnonzero(numpy.isnan(values))[0]) + 1

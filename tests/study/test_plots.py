@@ -120,8 +120,9 @@ def test_rows_that_a_logarithmic_axis_leaves_out_are_counted():
 
 def test_missing_values_leave_gaps_and_columns_of_nothing_else_are_refused():
     text = "strain_axial [1]\tstress_ratio [1]\tstrain_volumetric [1]\n0\t1\t0\n0.1\tnan\t0\n0.2\t3\t0\n"
-    figure, _ = plots.draw("stress-strain", [("run", Table.parse(text, "run.tsv"))])
+    figure, notes = plots.draw("stress-strain", [("run", Table.parse(text, "run.tsv"))])
     assert numpy.isnan(figure.axes[0].lines[0].get_ydata()).tolist() == [False, True, False]
+    assert notes == ["run: 1 of 3 rows have no stress_ratio, and the curve over strain_axial has gaps there"]
     with pytest.raises(StudyError, match="run.tsv: column stress_ratio has no value"):
         plots.draw("stress-strain", [("run", Table.parse(text.replace("\t1\t", "\tnan\t").replace("\t3\t", "\tnan\t"), "run.tsv"))])
 
@@ -135,13 +136,35 @@ def test_a_cell_that_is_not_periodic_has_a_remedy(kind, remedy):
         plots.draw(kind, [("run", table)])
 
 
+def test_disks_beside_spheres_are_doubted():
+    head = "strain_axial [1]\tstress_ratio [1]\tstrain_volumetric [1]\tstrain_zz [1]\tstress_yy [Pa]\tstress_zz [Pa]\n"
+    disks, spheres = (Table.parse(f"{head}0\t1\t0\t0\t1000\t0\n0.1\t2\t0\t{z}\t2000\t{1000 * z}\n", "run.tsv") for z in (0, 0.1))
+    doubt = "doubt: flat is a run of disks, and round of spheres: their void ratios and coordination numbers do not compare, nor stresses at one stiffness"
+    assert plots.draw("stress-strain", [("flat", disks), ("round", spheres)])[1] == [doubt]
+    assert plots.draw("stress-strain", [("flat", disks), ("other", disks)])[1] == []
+    test = Table.parse("strain_axial [%]\tstress_ratio [1]\tstrain_volumetric [%]\n0\t1\t0\n", "test.tsv")
+    assert plots.draw("stress-strain", [("flat", disks), ("test", test)])[1] == []
+
+
+def test_a_rose_needs_contacts():
+    head = "step [1]\tplane [1]\tangle [deg]\tcontacts [1]\tdensity [1]\tnormal_force [N]\n"
+    with pytest.raises(StudyError, match="bare.tsv: has no contacts in its last state, and so no rose; give a state under load"):
+        plots.draw("rose", [("bare", Table.parse(f"{head}0\t1\t90\t0\tnan\tnan\n0\t1\t270\t0\tnan\tnan\n", "bare.tsv"))])
+
+
+def test_a_column_without_its_unit_is_told_with_the_head_that_it_needs():
+    table = Table.parse("strain_axial [%]\tdeviatoric_stress\tstrain_volumetric [%]\n0\t0\t0\n1\t100\t0\n", "q.tsv")
+    with pytest.raises(StudyError, match=r"q.tsv: column deviatoric_stress: has no unit: head it as deviatoric_stress \[kPa\]"):
+        plots.draw("stress-strain", [("q", table)])
+
+
 def test_the_last_stage_is_drawn_over_strain_and_all_along_a_path():
     table = table_for(kinds.KINDS["stress-strain"], rows=4)
     assert len(plots.stage_of(table, "", kinds.KINDS["stress-strain"])) == 2
     assert len(plots.stage_of(table, "", kinds.KINDS["stress-path"])) == 4
     assert len(plots.stage_of(table, "0", kinds.KINDS["stress-path"])) == 2
     assert len(plots.stage_of(table, "all", kinds.KINDS["stress-strain"])) == 4
-    with pytest.raises(StudyError, match="none of the rows"):
+    with pytest.raises(StudyError, match="run.tsv: has no stage 5, but 0, 1; give one of these"):
         plots.stage_of(table, "5", kinds.KINDS["stress-path"])
     bare = Table.parse("strain_axial [1]\n0\n", "bare.tsv")
     assert len(plots.stage_of(bare, "", kinds.KINDS["stress-strain"])) == 1
