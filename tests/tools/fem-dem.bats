@@ -204,6 +204,10 @@ starts() {
   refuses 65 fem-dem 'traction.0.on: boundary "bottom-corners" has points alone' elastic.toml --set 'traction.0.on="bottom-corners"' -o out.h5
   refuses 65 fem-dem 'geosynthetic.along: boundary "bottom-corners" has points alone' elastic.toml --set 'geosynthetic.along="bottom-corners"' -o out.h5
   refuses 65 fem-dem 'move their common node at (0.6, 0) m differently along x' elastic.toml --set 'support.0.on="bottom"' --set 'support.1.x=0.1' -o out.h5
+  refuses 65 fem-dem 'geosynthetic.radius: 5 m, where the boundary that the chain follows is 0.6 m long; at most 0.3 m; if 5 mm are meant, write "5 mm"' \
+    elastic.toml --set geosynthetic.radius=5 -o out.h5
+  refuses 65 fem-dem 'geosynthetic.spacing: 20 m, where' elastic.toml --set geosynthetic.spacing=20 -o out.h5
+  refuses 65 fem-dem 'geosynthetic.overhang: 10 m, where' elastic.toml --set geosynthetic.overhang=10 -o out.h5
   refuses 65 fem-dem "this soil is a continuum" elastic.toml --set 'record.points=[1]' -o out.h5
   printf 'solid\n' > wrong.msh
   refuses 65 fem-dem "wrong.msh:1: the mesh" elastic.toml --mesh wrong.msh -o out.h5
@@ -222,6 +226,9 @@ starts() {
   [[ $stderr == *"to = [0.6, -0.02]" ]] || show
   # Far below the chain.
   mentions 65 fem-dem "$none 30 of its 30 bars" --quiet elastic.toml --set 'geosynthetic.guide.0.from=[-0.1, -0.2]' --set 'geosynthetic.guide.0.to=[0.8, -0.2]' -o low.h5
+  # No guide carries a chain that lies on the soil.
+  mentions 65 fem-dem "the seat pressure acts against y, and its bars do not lie below the soil: leave geosynthetic.seat_pressure out" \
+    --quiet elastic.toml --set 'geosynthetic.along="top"' -o top.h5
   # A part of the chain may hang over a hole.
   exits 0 fem-dem --quiet elastic.toml --set 'geosynthetic.guide.0.to=[0.3, -0.02]' "${SHORT[@]}" -o hole.h5
   [[ $stderr == *"doubt: the geosynthetic bears its seat pressure as a hanging chain, since no guide lies two radii below 15 of its 30 bars"* ]] || show

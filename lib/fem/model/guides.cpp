@@ -23,6 +23,16 @@ bool carries(const Guide& guide, const Vec2& at, double radius) {
 
 Vec2 middle(const BarsSetup& setup, std::size_t bar) { return 0.5 * (setup.chain[bar] + setup.chain[bar + 1]); }
 
+// Returns the mean of y along a line of nodes.
+double height(const std::vector<Vec2>& line) {
+  double sum = 0, length = 0;
+  for (std::size_t k = 0; k + 1 < line.size(); ++k) {
+    const double edge = (line[k + 1] - line[k]).norm();
+    sum += 0.5 * edge * (line[k][1] + line[k + 1][1]), length += edge;
+  }
+  return sum / length;
+}
+
 }  // namespace
 
 std::vector<std::size_t> uncarried_bars(const BarsSetup& setup) {
@@ -40,6 +50,10 @@ std::vector<std::size_t> uncarried_bars(const BarsSetup& setup) {
 }
 
 std::string uncarried_text(const BarsSetup& setup, const std::vector<std::size_t>& bars) {
+  // Along a side or above the soil, guides have nothing to carry.
+  if (!(height(setup.chain) < height(setup.interface) - setup.radius))
+    return "the seat pressure acts against y, and its bars do not lie below the soil: leave geosynthetic.seat_pressure "
+           "out";
   const Vec2 first = middle(setup, bars.front()), last = middle(setup, bars.back());
   const Vec2 down(0, -2 * setup.radius), from = setup.chain.front() + down, to = setup.chain.back() + down;
   const bool some = bars.size() < setup.chain.size() - 1 && !setup.guides.empty();

@@ -13,6 +13,7 @@
 #include "core/text/units.h"
 #include "dem/run/scenario.h"
 #include "fem/run/boundary_conditions.h"
+#include "fem/run/chain_check.h"
 
 namespace soilweave::fem {
 namespace {
@@ -259,6 +260,7 @@ void read_geosynthetic(Settings& document, ModelSetup& m) {
       table.mistake("along", error.what());
     }
   }
+  check_chain(table, m, b.radius);
   m.bars = std::move(b);
 }
 
