@@ -5,13 +5,16 @@
 #include <malloc.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <chrono>
 #include <fstream>
 #include <memory>
 #include <vector>
 
+#include "dem/contact/contact_block.h"
 #include "dem/engine/simulation.h"
 #include "dem/run/scenario.h"
+#include "dem/state/bodies.h"
 #include "packing/expand/tile.h"
 #include "support/assemblies.h"
 
@@ -49,6 +52,27 @@ double resident() {
   return pages * static_cast<double>(sysconf(_SC_PAGESIZE));
 }
 
+// Returns the bytes of the records that a step of run-dem reads and writes once (lib/PERFORMANCE.md): pairs in their
+// blocks, loads of pairs, grains, and loads of grains. `pairs` are those of the list.
+double records(double grains, double pairs) {
+  return pairs * (sizeof(ContactBlock) / ContactBlock::size + sizeof(Load)) + grains * (sizeof(Grain) + sizeof(Load));
+}
+
+// Returns the time of reading and writing so many bytes once, in order, s: the least that a step can take whose records
+// no cache holds. The least of several passes counts.
+double seconds_of_memory(double bytes) {
+  constexpr int passes = 9;
+  std::vector<double> memory(static_cast<std::size_t>(bytes / sizeof(double)), 1.0);
+  double least = 1e300;
+  for (int k = 0; k < passes; ++k) {
+    const auto began = std::chrono::steady_clock::now();
+    for (double& value : memory) value = value * 0.5 + 1;
+    benchmark::ClobberMemory();
+    least = std::min(least, std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count());
+  }
+  return least;
+}
+
 // Takes a step as run-dem does: servo, motion, sweep, sums, at times the stable step and the neighbour list.
 void advance(Simulation& simulation, Servo& servo) {
   const AxisGoal lateral{AxisGoal::Kind::stress, 1e5, 1.0}, axial{AxisGoal::Kind::strain, 0.1, 1e-2};
@@ -67,8 +91,13 @@ void size_of_system(benchmark::State& state) {
   const std::int64_t contact_steps = simulation.contact_steps();
   for (auto _ : state) advance(simulation, servo);
   const auto swept = static_cast<double>(simulation.contact_steps() - contact_steps);
+  // More pairs are listed than touch, by about this share.
+  constexpr double listed_over_contacts = 1.15;
+  const auto contacts = static_cast<double>(simulation.measures().contacts);
+  state.counters["memory_per_contact"] =
+      seconds_of_memory(records(static_cast<double>(grains), listed_over_contacts * contacts)) / contacts;
   state.counters["grains"] = static_cast<double>(grains);
-  state.counters["contacts"] = static_cast<double>(simulation.measures().contacts);
+  state.counters["contacts"] = contacts;
   state.counters["per_contact"] = benchmark::Counter(swept, benchmark::Counter::kIsRate | benchmark::Counter::kInvert);
   state.counters["bytes_per_grain"] = held / static_cast<double>(grains);
 }

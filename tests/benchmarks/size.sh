@@ -19,8 +19,10 @@ export LC_ALL=C.UTF-8
 
 awk -F , -v OFS='\t' '
   $1 == "name" { for (i = 1; i <= NF; ++i) { gsub(/"/, "", $i); at[$i] = i }
-    print "grains [1]", "contacts [1]", "step [ms]", "per_contact [ns]", "per_grain [B]"; next }
-  /size_of_system/ { print $at["grains"], $at["contacts"], $at["cpu_time"], 1e9 * $at["per_contact"], $at["bytes_per_grain"] }
+    print "grains [1]", "contacts [1]", "step [ms]", "per_contact [ns]", "per_grain [B]",
+      "memory_per_contact [ns]"; next }
+  /size_of_system/ { print $at["grains"], $at["contacts"], $at["cpu_time"], 1e9 * $at["per_contact"], $at["bytes_per_grain"],
+      1e9 * $at["memory_per_contact"] }
   ' "$out/size_of_system.csv" > "$out/size.tsv"
 column -t -s $'\t' "$out/size.tsv"
 
