@@ -88,7 +88,7 @@ TEST(Compact, BeginsAgainWhereAVoidRatioIsNotHeld) {
   recipe.most_attempts = 1;
   const Result once = compact(sparse(80), support::sand(), {}, recipe);
   ASSERT_TRUE(once.unheld);
-  EXPECT_NEAR(number_after("at last at ", *once.unheld), once.void_ratio, 1e-4);
+  EXPECT_NEAR(number_after("at last to ", *once.unheld), once.void_ratio, 1e-4);
   recipe.most_attempts = 12;
   const Result often = compact(sparse(80), support::sand(), {}, recipe);
   EXPECT_GT(often.cost.steps, once.cost.steps);
