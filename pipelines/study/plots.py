@@ -50,7 +50,7 @@ def stage_of(table, stage, kind):
     stages = table("stage", "1")
     chosen = stages[-1] if wanted == "last" else float(wanted)
     if chosen not in stages:
-        raise StudyError(f"{table.where}: has no stage {wanted}, but {', '.join(f'{known:g}' for known in numpy.unique(stages))}; give one of these")
+        raise StudyError(f"{table.where}: has no stage {wanted}; give one that it has: {', '.join(f'{known:g}' for known in numpy.unique(stages))}")
     return table.rows(stages == chosen)
 
 

@@ -164,7 +164,7 @@ def test_the_last_stage_is_drawn_over_strain_and_all_along_a_path():
     assert len(plots.stage_of(table, "", kinds.KINDS["stress-path"])) == 4
     assert len(plots.stage_of(table, "0", kinds.KINDS["stress-path"])) == 2
     assert len(plots.stage_of(table, "all", kinds.KINDS["stress-strain"])) == 4
-    with pytest.raises(StudyError, match="run.tsv: has no stage 5, but 0, 1; give one of these"):
+    with pytest.raises(StudyError, match="run.tsv: has no stage 5; give one that it has: 0, 1"):
         plots.stage_of(table, "5", kinds.KINDS["stress-path"])
     bare = Table.parse("strain_axial [1]\n0\n", "bare.tsv")
     assert len(plots.stage_of(bare, "", kinds.KINDS["stress-strain"])) == 1

@@ -66,8 +66,8 @@ setup() {
   complains 64 plot "a.gif: is no picture that plot can write; end it in .svg, .png, .pdf" stress-path run.h5 -o a.gif
   complains 64 plot "--stage first: give a number from 0, last or all" stress-path run.h5 --stage first -o a.svg
   complains 64 plot "--stage ²: give a number from 0, last or all" stress-path run.h5 --stage ² -o a.svg
-  complains 65 plot "run.h5: has none of the rows asked for" stress-path run.h5 --stage 7 -o a.svg
-  complains 65 plot "run.h5: has none of the rows asked for" rose run.h5 --stage 7 -o a.svg
+  complains 65 plot "run.h5: has no stage 7; give one that it has: 0" stress-path run.h5 --stage 7 -o a.svg
+  complains 65 plot "run.h5: has no stage 7; give one that it has: 0" rose run.h5 --stage 7 -o a.svg
   complains 64 plot "--beside: rose draws no test data; leave it out" rose run.h5 --beside test.tsv -o a.svg
   complains 64 plot "--stage 0: posterior has no stages; leave it out" posterior run.h5 --stage 0 -o a.svg
   complains 65 plot "series.tsv: is no posterior; give the file that pf-weight assimilate writes with -o" posterior series.tsv -o a.svg
