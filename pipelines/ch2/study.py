@@ -6,7 +6,7 @@ import pathlib
 
 import numpy
 from ch2.inputs import LAWS, PARAMETERS
-from study import Drawn, Folder, NotMade, Series, Study, Table, figures, main, panel
+from study import Drawn, Folder, NotMade, Series, Study, StudyError, Table, figures, main, panel
 from study.quantities import quantity
 
 HERE = pathlib.Path(__file__).parent
@@ -230,6 +230,8 @@ def tell(study, cases, arguments):
 
 def build(arguments):
     """Reads the tables of pf-weight in the folder OUT and writes what was identified, compared and drawn."""
+    if not arguments.cases:
+        raise StudyError(f"{arguments.out}: no case is kept; make PROFILE=thesis ch2, then ch2-keep" if arguments.kept else "C2_CASES: name a case")
     study = Study.of(HERE, arguments, judged=arguments.profile == "thesis")
     cases = {name: Case(study.out, name, len(arguments.samples)) for name in arguments.cases}
     measure(study, cases)
@@ -247,5 +249,5 @@ def build(arguments):
 
 
 if __name__ == "__main__":
-    main(build, cases={"nargs": "+", "required": True, "help": "LAW_GRAINS_PRESSURE"}, samples={"nargs": "+", "type": int, "required": True},
+    main(build, cases={"nargs": "*", "required": True, "help": "LAW_GRAINS_PRESSURE"}, samples={"nargs": "+", "type": int, "required": True},
          until={"type": float, "required": True, "help": "strain (%%) up to which runs are compared"}, error={"required": True})

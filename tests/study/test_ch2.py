@@ -159,6 +159,8 @@ def test_kept_cases_are_compared_and_drawn_without_a_page(out):
     study.write_tables()
     assert "Hertz–Mindlin contacts, 0.2 MPa\t1\t9.615\t± 0.3\t9.602\t-0.0129 (-0.1 %)\tmet" in (out / "comparison.tsv").read_text()
     assert not (out / "page.html").exists()
+    with pytest.raises(StudyError, match="no case is kept; make PROFILE=thesis ch2, then ch2-keep"):
+        chapter.build(types.SimpleNamespace(out=out, kept=True, cases=[]))
 
 
 def test_kept_cases_are_shown_beside_those_of_a_quick_run(out, monkeypatch):
