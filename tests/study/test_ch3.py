@@ -358,3 +358,69 @@ def test_the_page_says_that_bags_of_other_volumes_were_loaded_otherwise():
         if any(row["bag"] != judged[row["description"]] for row in rows):
             assert '"bag" differs from the run that is judged above' in words
             assert "way_unbalanced_force" in (kept / "uc_PE.txt").read_text() and "way_unbalanced_force" not in (kept / f"{name}.txt").read_text()
+
+
+def words():
+    """Returns the text of words.toml on one line."""
+    return " ".join((HERE / "words.toml").read_text().replace("\\\n", "").split())
+
+
+def obliquity(least, medium, most):
+    """Returns q/p of principal stresses."""
+    return math.sqrt(((most - medium)**2 + (medium - least)**2 + (most - least)**2) / 2) / ((most + medium + least) / 3)
+
+
+def mobilised(bag, step):
+    """Returns the mean stress of the groups at a step: friction angle (deg), (σ2 - σ3)/(σ1 - σ3), q/p."""
+    groups = bag._parts("groups")
+    rows = groups.rows(groups["step"] == step)
+    share = rows("volume", "m3") / rows("volume", "m3").sum()
+    mean = {pair: (share * rows(f"stress_{pair}", "kPa")).sum() for pair in ("xx", "xy", "xz", "yy", "yz", "zz")}
+    least, medium, most = numpy.linalg.eigvalsh([[mean["".join(sorted(i + j))] for j in "xyz"] for i in "xyz"])
+    return math.degrees(math.asin((most - least) / (most + least))), (medium - least) / (most - least), obliquity(least, medium, most)
+
+
+def test_reasons_tell_the_numbers_of_the_kept_sheared_bags():
+    bags, told = {load: shear.Shear(bag) for load, bag in Runs.kept().sheared().items()}, words()
+    small, large = bags[2410], bags[24100]
+    before, greatest = (small.bag["lateral_stress"][row] / small.bag["axial_stress"][row] for row in (0, small.peak))
+    of = {s: [mobilised(s.bag, step) for step in (s.bag["step"][0], s.state(), s.bag.last("step"))] for s in (small, large)}
+
+    def unmoved(s):  # q/p at the friction angle at 5 %, with the intermediate stress before the shear
+        ratio = (1 + math.sin(math.radians(of[s][1][0]))) / (1 - math.sin(math.radians(of[s][1][0])))
+        return obliquity(1, 1 + of[s][0][1] * (ratio - 1), ratio)
+    edges = {s: [s.bag.groups("mean_stress", step)[[0, -1]] for step in (s.bag["step"][0], s.state(), s.bag.last("step"))] for s in (small, large)}
+    at_5 = {s: int(numpy.flatnonzero(s.bag["step"] == s.state())[0]) for s in bags.values()}
+    growth = {s: s.bag.last("lateral_stress") / s.bag["lateral_stress"][at_5[s]] - 1 for s in (small, large)}
+    strains = [series[-1] - series[0] for series in (large.bag.table("strain_yarn_side_up", "%"), large.bag["strain_yarn_side_around"])]
+    (one, other), (compressed, unloaded) = (100 * (edges[s][2] / edges[s][1] - 1) for s in (large, small))
+    ends = {name: [s.bag.fabric(name, s.bag.last("step")) for s in bags.values()] for name in ("a_c", "a_n")}
+    a_c = zip([s.bag.fabric("a_c", s.state()) for s in bags.values()], ends["a_c"], strict=True)
+    said = [
+        f"the lateral stress is {before:.2f} times the axial stress, as q/p = {small.bag['obliquity'][0]:.2f} in compression",
+        f"at least {1 / before:.1f} times; if it only doubled, it would stay below {2 * before:.2f} times",
+        f"it reaches {greatest:.2f} times the axial stress",
+        "grows from {:.1f}° to {:.1f}° under 2.41 kN and from {:.1f}° to {:.1f}° under 24.1 kN".format(*(of[s][k][0] for s in of for k in (0, 1))),
+        "q/p falls from {:.2f} to {:.2f} and from {:.2f} to {:.2f}".format(*(of[s][k][2] for s in of for k in (0, 1))),
+        f"would mean q/p = {unmoved(small):.2f} and {unmoved(large):.2f}",
+        f"by {one:.0f} % and {other:.0f} %. Under 2.41 kN it grows by {compressed:.0f} % in one and falls by {-unloaded:.0f} %",
+        "p is {:.1f} and {:.1f} times as great".format(*(edges[small][2] / edges[small][0])),
+        f"is {small.bag['shear_ratio'][at_5[small]]:.2f} at 5 % and {small.bag.last('shear_ratio'):.2f} at the end",
+        "falls from {:.1f}° to {:.1f}° under 2.41 kN and from {:.1f}° to {:.1f}° under 24.1 kN".format(*(of[s][k][0] for s in of for k in (1, 2))),
+        f"rises by {100 * growth[large]:.0f} %", f"rises by only {100 * growth[small]:.0f} %",
+        f"{abs(large.bag.last('shear_stress')) / abs(large.bag['shear_stress']).max():.3f} of its greatest value",
+        f"grows by {strains[0]:.2f} % up to the end, that of the yarns around the sides by {strains[1]:.2f} %",
+        f"({large.bag['tension_yarn_side_around'][at_5[large]]:.2f} against {large.bag.table('tension_yarn_side_up', 'N')[at_5[large]]:.2f} N)",
+        "from {:.2f} to {:.2f} under 1.33 kN, from {:.2f} to {:.2f} under 2.41 kN, and from {:.2f} to {:.2f} under".format(*(v for pair in a_c for v in pair)),
+        "({:.3f}, {:.3f} and {:.3f})".format(*(s.bag.last("delaunay_void_ratio") for s in bags.values())),
+        "ends at {:.2f}, {:.2f} and {:.2f}".format(*ends["a_n"])]
+    assert list(bags) == [1330, 2410, 24100] and [part for part in said if part not in told] == []
+    # The statement on yarns around the sides holds up to 5 % of shear and no longer.
+    around_less_up = large.bag["tension_yarn_side_around"] - large.bag.table("tension_yarn_side_up", "N")
+    assert (around_less_up[:at_5[large] + 1] > 0).all() and (around_less_up[at_5[large] + 1:] < 0).all()
+
+
+def test_a_reason_tells_the_friction_on_the_faces_of_the_kept_bag():
+    bag, told = Runs.kept().bag("uc_PE"), words()
+    sides, faces = bag["friction_sides"][1:], bag["face_friction_z"][1:]
+    assert f"with {sides.min():.1f}° to {sides.max():.1f}° from 1 % of strain on" in told and f"it is at most {faces.max():.2f}° there" in told
