@@ -310,3 +310,41 @@ def test_reasons_tell_the_numbers_of_the_kept_cells():
                   f"settles by {float(far['final settlement, model less DEM (%)']):.1f} % more than the PE cell at 100 kPa",
                   f"strain at the end is {-float(far['volumetric strain at the end, model less DEM (%)']):.1f} % less"):
         assert words in told, words
+
+
+def test_reasons_tell_the_friction_of_the_kept_cells():
+    runs = Grains(chapter.HERE / "kept", chapter.HERE / "kept")
+    cells = {(g, p): runs.cell(g, p) for g in SHEARED for p in PRESSURES}
+    cell = cells["PE", "10"]
+    on_yz, on_zx = (cell[f"face_friction_{axis}"] for axis in "xy")
+    both = (on_yz + on_zx)[1:9] / 2
+    assert list(cell["strain_axial"][[1, 4, 8]]) == pytest.approx([1, 4, 8], abs=0.01) and on_yz[1:9].argmin() == 3 and on_yz[1:9].argmax() == 7
+    assert all(one["face_friction_x"][4] < one["face_friction_y"][4] for one in cells.values())
+    assert 100 * abs(cell.table("strain_x", "1") - cell.table("strain_y", "1"))[:9].max() < 0.1
+    told = " ".join((chapter.HERE / "words.toml").read_text().replace("\\\n", "").split())
+    assert f"falls from {on_yz[1]:.1f}° at 1 % of strain to {on_yz[4]:.1f}° at 4 % and rises to {on_yz[8]:.1f}° at 8 %" in told
+    assert f"their mean stays between {both.min():.1f}° and {both.max():.1f}°" in told
+
+
+def test_reasons_tell_the_hoops_of_the_kept_bags(monkeypatch):
+    monkeypatch.setattr(Grains, "model", lambda *_: Table.parse("tensile_stiffness [N/m]\n1\n", "none"))
+    runs = Grains(chapter.HERE / "kept", chapter.HERE / "kept")
+    slopes = {g: measures.scaled_hoops(runs, g, "hr")[0] for g in UNIAXIAL}
+    recorded = {g: measures.recorded_hoops(runs, g, "hr")[0] for g in grains.RECORDED}
+    load, tension = measures.scales_of(runs, "hr")
+    series = runs.record["PP"]
+    hoops = grains.vertical_hoop(series["tension_yarn_face"], series.table("tension_yarn_vertical", "N"))
+    at_12, greatest = (int(abs(series["strain_axial"] - strain).argmin()) for strain in (12, 13))
+    assert series["plate_pressure"].argmax() == greatest and runs.bag("PP")["strain_axial"][runs.bag("PP").most("plate_pressure")] == pytest.approx(12)
+    unscaled = [slopes[g] * tension / load / (recorded[g] * hoops[greatest] / series["plate_pressure"][greatest]) for g in recorded]
+    scaled = [recorded[g] * hoops[greatest] / series["plate_pressure"][greatest] * series["plate_pressure"][at_12] / hoops[at_12] for g in recorded]
+
+    def fan(values):
+        return 100 * max(abs(value / numpy.mean(values) - 1) for value in values)
+    told = " ".join((chapter.HERE / "words.toml").read_text().replace("\\\n", "").split())
+    for words in ("by {:.1f} % with PE, {:.1f} % with PP and {:.1f} % with 3PP. The scale".format(*(100 * (one - 1) for one in unscaled)).replace("-", "−"),
+                  "recorded slopes are {:.2f}, {:.2f} and {:.2f}, and".format(*scaled),
+                  "have {:.2f}, {:.2f} and {:.2f}".format(*(slopes[g] for g in recorded)),
+                  f"4PP and 5PP have slopes of {slopes['4PP']:.2f} and {slopes['5PP']:.2f}",
+                  f"is {fan([slopes[g] for g in recorded]):.0f} % here and {fan(list(recorded.values())):.0f} % in the recorded series"):
+        assert words in told, words
