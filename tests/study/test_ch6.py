@@ -188,3 +188,47 @@ def test_each_column_that_the_chapter_reads_is_missed_by_name(tmp_path):
     columns = sum(len(table.read_text().splitlines()[0].split("\t")) for table in chapter.KEPT.glob("*_*_*.tsv"))
     assert demand_columns(readers) == columns - 3  # nothing asks for the time of two of the pull-outs, nor of point B
     pyplot.close("all")
+
+
+def zero_crossing(places, values):
+    """Returns where values, linear between places, first change their sign."""
+    k = int(numpy.flatnonzero(values[:-1] * values[1:] < 0)[0])
+    return places[k] + (places[k + 1] - places[k]) * values[k] / (values[k] - values[k + 1])
+
+
+def test_reasons_tell_the_numbers_of_the_kept_runs():
+    runs, told = kept_runs(), " ".join((chapter.HERE / "words.toml").read_text().replace("\\\n", "").split())
+    curves = {case: runs.curve("shape", case) for case in runs.size.cases}
+    main, onsets = curves[runs.size.main], [one.onset() for one in curves.values()]
+    last = main.mean(main.end - 3, main.end)
+    first, second, third = (next(start + 0.5 for start in numpy.arange(0, 24, 0.25) if main.mean(start, start + 1) > share * last)
+                            for share in (0.01, 0.05, 0.1))
+    a, field = runs.history("shape"), runs.field("shape")
+    middle, p = field.start[field.corners].mean(axis=1) / field.side * 8, field.points("mean_stress", "kPa")
+    column, row = numpy.floor(middle).astype(int).T
+    diagonal = column + row == 7  # from the upper left to the lower right corner
+
+    def excess(k, mask):  # mean stress of the left half of a row over that of the right half: difference over sum, %
+        left, right = (p[mask & (row == k) & (half == (column < 4))].mean() for half in (True, False))
+        return 100 * (left - right) / (left + right)
+    lower, upper = ([excess(k, True) for k in rows] for rows in (range(4), range(4, 8)))
+    assert max(excess(k, ~diagonal) for k in range(8)) < 0
+    # The side that two triangles of a square share falls along this diagonal.
+    shared = [field.start[sorted(set(one) & set(other))] for one, other in zip(field.corners[::2], field.corners[1::2], strict=True)]
+    assert all(numpy.prod(ends[1] - ends[0]) < 0 for ends in shared)
+    pulled = runs.field("pullout")
+    x, y, moved = *numpy.round(pulled.start, 4).T, 1000 * numpy.linalg.norm(pulled.displacement, axis=1)
+    places = numpy.unique(x)
+
+    def mean(axis, along, mask=True):
+        return numpy.array([pulled.displacement[(along == place) & mask, axis].mean() for place in places])
+    heaves = [zero_crossing(places, mean(1, x, y == height)) for height in places]
+    assert tuple(pulled.start[moved.argmax()]) == (0, 0)
+    for words in (f"at {first:g} cm, 5 % at {second:g} cm, and a tenth, which counts here, at {third:g} cm",
+                  f"begin to harden between {min(onsets):g} and {max(onsets):g} cm", f"begins to contract at {a['pull'][a.loosest]:g} cm here",
+                  f"carries {-max(lower):.1f} % to {-min(lower):.1f} % more", f"the left half {min(upper):.1f} % to {max(upper):.1f} % more",
+                  f"they carry {p[diagonal].mean() / p[~diagonal].mean():.2f} times",
+                  f"vanishes {zero_crossing(places, mean(1, x)):.2f} m from the left end and {zero_crossing(places, mean(0, y)):.2f} m above",
+                  f"heave {min(heaves[1:]):.2f} to {max(heaves[1:]):.2f} m from the left end, on the sheet itself at {heaves[0]:.2f} m",
+                  "sinks by {1:.1f} mm, all other nodes move by at most {0:.1f} mm".format(*numpy.sort(moved)[-2:])):
+        assert words in told, words
