@@ -1,11 +1,14 @@
 """The studies' package: pages from words.toml, figures from short descriptions, shared ways to read tables."""
 # SPDX-License-Identifier: GPL-3.0-or-later
+import pathlib
 import types
 
 import pytest
 from matplotlib import pyplot
-from study import Cells, Drawn, Folder, Mean, NotMade, Series, Study, StudyError, Table, curves, panel
+from study import Cells, Drawn, Folder, Mean, NotMade, Series, Study, StudyError, Table, curves, panel, read_statements
+from study.kept import COLUMNS, read_kept
 from study.quantities import quantity
+from study.texts import Texts
 
 HEAD = "name\trelation\tpublished\ttolerance\tunit\tsource\tdescription\n"
 WORDS = """
@@ -210,3 +213,20 @@ def test_cells_are_found_by_row_and_column(folder):
                                  ("soft", "bag", "could not convert string to float")):
         with pytest.raises(StudyError, match=f"causes_thesis.tsv: .*{message}"):
             cells(row, column)
+
+
+def comparisons():
+    """Returns the paths of the kept comparisons of all chapters."""
+    tables = pathlib.Path("pipelines").glob("ch*/kept/*.tsv")
+    return sorted(path for path in tables if path.read_text(encoding="utf-8").startswith("\t".join(COLUMNS)))
+
+
+def test_a_statement_that_a_kept_run_does_not_meet_has_a_reason():
+    bare = []
+    for table in comparisons():
+        folder = table.parent.parent
+        tables = [folder / f"{name}.tsv" for name in ("expected", "statements", "grains")]
+        stated = [s for path in tables if path.exists() for s in read_statements(path)]
+        given = {name for entry in Texts(folder / "words.toml").reasons for name in entry["of"]}
+        bare += [f"{folder.name}: {s.name}" for s, verdict in read_kept(table, stated) if not verdict.met and s.name not in given]
+    assert len(comparisons()) >= 5 and bare == []
