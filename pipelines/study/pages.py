@@ -59,13 +59,25 @@ def picture(path, words):
     return Markup(f'<img alt="{html.escape(words)}" src="data:image/{kind};base64,{data}" />')
 
 
+def table(path, names=None):
+    """Returns a table (.tsv) as markup.
+
+    names: words that readers see for names in the table, by name. They replace names in heads, and cells that are a name.
+    """
+    header, rows = read_words(path)
+    names = names or {}
+    if names:
+        known = re.compile(r"\b(" + "|".join(map(re.escape, sorted(names, key=len, reverse=True))) + r")\b")
+        header = [known.sub(lambda match: names[match[0]], head) for head in header]
+    return render("table.html", header=header, rows=[[names.get(cell, cell) for cell in row.values()] for _, row in rows])
+
+
 def content(item):
     """Returns what a page shows of an item: paragraphs of text, markup as it is, a table (.tsv) or a report (other files)."""
     if isinstance(item, Markup):
         return item
     if isinstance(item, pathlib.PurePath) and item.suffix == ".tsv":
-        header, rows = read_words(item)
-        return render("table.html", header=header, rows=[list(row.values()) for _, row in rows])
+        return table(item)
     if isinstance(item, pathlib.PurePath):
         try:
             return Markup("<pre>{}</pre>").format(item.read_text(encoding="utf-8").rstrip())

@@ -136,7 +136,8 @@ class Study:
         if name in self._values:
             return [self._values[name]]
         there = [(size, self._folder / "kept" / f"{name}_{size}.tsv") for size in ("thesis", "quick")]
-        there = [(f"{name.replace('_', ' ').capitalize()}, {'full size' if size == 'thesis' else 'quick profile'}:", path)
+        caption, names = self._texts.table(name)
+        there = [(f"{caption}, {'full size' if size == 'thesis' else 'quick profile'}:", pages.table(path, names))
                  for size, path in there if path.exists()]
         if not there:
             raise StudyError(f"{self._folder / 'words.toml'}: there is no kept table {name}")

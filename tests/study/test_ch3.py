@@ -4,6 +4,7 @@ import io
 import math
 import re
 import sys
+import tomllib
 import types
 
 import numpy
@@ -424,3 +425,12 @@ def test_a_reason_tells_the_friction_on_the_faces_of_the_kept_bag():
     bag, told = Runs.kept().bag("uc_PE"), words()
     sides, faces = bag["friction_sides"][1:], bag["face_friction_z"][1:]
     assert f"with {sides.min():.1f}° to {sides.max():.1f}° from 1 % of strain on" in told and f"it is at most {faces.max():.2f}° there" in told
+
+
+def test_each_variant_has_a_name_in_words_and_its_description_in_the_kept_tables():
+    known = {row["name"]: row["description"] for _, row in read_words(HERE / "variants.tsv")[1]}
+    names = tomllib.loads((HERE / "words.toml").read_text())["names"]
+    assert sorted(names) == sorted(set(known) - {"bag"}) and len(set(names.values())) == len(names)
+    for size in ("quick", "thesis"):
+        for _, row in read_words(HERE / f"kept/variants_{size}.tsv")[1]:
+            assert row["what is varied"] == known[row["variant"]]

@@ -230,3 +230,20 @@ def test_a_statement_that_a_kept_run_does_not_meet_has_a_reason():
         given = {name for entry in Texts(folder / "words.toml").reasons for name in entry["of"]}
         bare += [f"{folder.name}: {s.name}" for s, verdict in read_kept(table, stated) if not verdict.met and s.name not in given]
     assert len(comparisons()) >= 5 and bare == []
+
+
+def test_names_in_kept_tables_have_words_on_the_page(folder):
+    (folder / "kept/causes_thesis.tsv").write_text("bag\tload of soft [kPa]\tsoft_wet [kPa]\nsoft\t1\tsofter\n")
+    (folder / "words.toml").write_text(WORDS + '[names]\nsoft = "loose sand"\nsofter = "slack"\n'
+                                       '[table.causes]\ncaption = "Why it differs"\nnames = { soft_wet = "wet sand" }\n')
+    built(folder).write()
+    page = (folder.parent / "page.html").read_text()
+    for part in ("<p>Why it differs, full size:</p>", "<th>load of loose sand [kPa]</th><th>wet sand [kPa]</th>", "<td>loose sand</td><td>1</td><td>slack</td>"):
+        assert part in page
+    (folder / "words.toml").write_text(WORDS + "[names]\nsoft = 1\n")
+    with pytest.raises(StudyError, match="words.toml: names is {'soft': 1} where a table of texts belongs"):
+        built(folder)
+    (folder / "words.toml").write_text(WORDS + 'table = "causes"\n')
+    with pytest.raises(StudyError, match="words.toml: appendix: 'table' is nothing that a page says"):
+        built(folder)
+    pyplot.close("all")
