@@ -15,7 +15,7 @@ from .inputs import LAWS, PARAMETERS
 STRAINS = (1.02, 2.975, 5.95)  # stations of the laboratory (%) at which the response of one set is compared
 OBSERVED = {"stress_ratio": ("stress ratio", "1"), "strain_volumetric": ("volumetric strain", "%")}
 SHOWN = {"Pa": ("GPa", 1e-9)}  # unit shown for a unit of the tables, and its factor
-HEADS = ["contact law", "quantity", "unit", "study's rate", "±", "a tenth of it", "±"]
+HEADS = ["contact law", "quantity", "unit", "study's rate", "± at the study's rate", "a tenth of it", "± at a tenth of it"]
 
 
 def identified(steps):

@@ -53,8 +53,8 @@ def table(folder, names):
     """
     heads = ["variant", "what is varied", "void ratio under the preload"]
     for s in STRAINS:
-        heads += [f"load at {s} % [kPa]", "load [%]", "tension [%]", f"q/p at {s} %", "q/p [%]"]
-    heads += ["first break by [%]", "greatest load [kPa]", "greatest load [%]", "at [%]"]
+        heads += [f"load at {s} % [kPa]", f"load at {s} %, change [%]", f"tension at {s} %, change [%]", f"q/p at {s} %", f"q/p at {s} %, change [%]"]
+    heads += ["first break by [%]", "greatest load [kPa]", "greatest load, change [%]", "strain at the greatest load [%]"]
     first = bag_in(folder / names[0])
     return as_text([heads, *([name, cell(name, "description"), *carried(bag_in(folder / name), first)] for name in names)])
 

@@ -125,7 +125,8 @@ class Folder:
 def read_words(path, needed=()):
     """Reads a table whose cells are words: returns its header and (line number, row by name) pairs.
 
-    needed: columns that it must have. Lines that begin with # are comments. Raises StudyError naming file and line.
+    needed: columns that it must have. Lines that begin with # are comments. Raises StudyError naming file and line, also where two
+    columns have one name.
     """
     header, separator, rows = None, "\t", []
     for place, line in enumerate(read_text(path).splitlines(), start=1):
@@ -134,6 +135,9 @@ def read_words(path, needed=()):
         if header is None:
             separator = separator_of(line)
             header = cells(line, separator)
+            for name in header:
+                if header.count(name) > 1:
+                    raise StudyError(f"{path}: line {place}: two columns are named {name}")
             for name in needed:
                 if name not in header:
                     raise StudyError(f"{path}: line {place}: has no column {name}{suggestion(name, header)}")

@@ -8,6 +8,7 @@ from matplotlib import pyplot
 from study import Cells, Drawn, Folder, Mean, NotMade, Series, Study, StudyError, Table, curves, panel, read_statements
 from study.kept import COLUMNS, read_kept
 from study.quantities import quantity
+from study.tables import read_words
 from study.texts import Texts
 
 HEAD = "name\trelation\tpublished\ttolerance\tunit\tsource\tdescription\n"
@@ -230,6 +231,14 @@ def test_a_statement_that_a_kept_run_does_not_meet_has_a_reason():
         given = {name for entry in Texts(folder / "words.toml").reasons for name in entry["of"]}
         bare += [f"{folder.name}: {s.name}" for s, verdict in read_kept(table, stated) if not verdict.met and s.name not in given]
     assert len(comparisons()) >= 5 and bare == []
+
+
+def test_two_columns_of_one_name_are_refused(tmp_path):
+    (tmp_path / "twice.tsv").write_text("bag\tload\t±\tstrain\t±\nsoft\t1\t2\t3\t4\n")
+    with pytest.raises(StudyError, match="twice.tsv: line 1: two columns are named ±"):
+        read_words(tmp_path / "twice.tsv")
+    for path in pathlib.Path("pipelines").glob("*/kept/*.tsv"):
+        assert read_words(path)[0]
 
 
 def test_names_in_kept_tables_have_words_on_the_page(folder):
