@@ -134,7 +134,7 @@ def test_a_single_round_has_its_figures_and_says_what_is_left_out(out, monkeypat
     monkeypatch.setattr(chapter, "Study", Study)
     build(out, "hm_1000_1", samples=[6]).write()
     page = (out / "page.html").read_text()
-    assert (out / "density_hm_1000_1.svg").exists() and "since one round was made" in page and "(6 sets)." in page
+    assert (out / "density_hm_1000_1.svg").exists() and "since one round was made" in page and "6 sets are drawn from assumed ranges (the prior)." in page
 
 
 def test_each_column_that_is_renamed_is_missed_by_name(out):

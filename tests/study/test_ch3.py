@@ -410,7 +410,7 @@ def test_reasons_tell_the_numbers_of_the_kept_sheared_bags():
         "falls from {:.1f}° to {:.1f}° under 2.41 kN and from {:.1f}° to {:.1f}° under 24.1 kN".format(*(of[s][k][0] for s in of for k in (1, 2))),
         f"rises by {100 * growth[large]:.0f} %", f"rises by only {100 * growth[small]:.0f} %",
         f"{abs(large.bag.last('shear_stress')) / abs(large.bag['shear_stress']).max():.3f} of its greatest value",
-        f"grows by {strains[0]:.2f} % up to the end, that of the yarns around the sides by {strains[1]:.2f} %",
+        f"grows by {strains[0]:.2f} % up to the end. The mean strain of the yarns around the sides grows by {strains[1]:.2f} %",
         f"({large.bag['tension_yarn_side_around'][at_5[large]]:.2f} against {large.bag.table('tension_yarn_side_up', 'N')[at_5[large]]:.2f} N)",
         "from {:.2f} to {:.2f} under 1.33 kN, from {:.2f} to {:.2f} under 2.41 kN, and from {:.2f} to {:.2f} under".format(*(v for pair in a_c for v in pair)),
         "({:.3f}, {:.3f} and {:.3f})".format(*(s.bag.last("delaunay_void_ratio") for s in bags.values())),

@@ -322,7 +322,7 @@ def test_reasons_tell_the_friction_of_the_kept_cells():
     assert all(one["face_friction_x"][4] < one["face_friction_y"][4] for one in cells.values())
     assert 100 * abs(cell.table("strain_x", "1") - cell.table("strain_y", "1"))[:9].max() < 0.1
     told = " ".join((chapter.HERE / "words.toml").read_text().replace("\\\n", "").split())
-    assert f"falls from {on_yz[1]:.1f}° at 1 % of strain to {on_yz[4]:.1f}° at 4 % and rises to {on_yz[8]:.1f}° at 8 %" in told
+    assert f"is {on_yz[1]:.1f}° at 1 % of strain, {on_yz[4]:.1f}° at 4 % and {on_yz[8]:.1f}° at 8 %" in told
     assert f"their mean stays between {both.min():.1f}° and {both.max():.1f}°" in told
 
 

@@ -224,11 +224,11 @@ def test_reasons_tell_the_numbers_of_the_kept_runs():
         return numpy.array([pulled.displacement[(along == place) & mask, axis].mean() for place in places])
     heaves = [zero_crossing(places, mean(1, x, y == height)) for height in places]
     assert tuple(pulled.start[moved.argmax()]) == (0, 0)
-    for words in (f"at {first:g} cm, 5 % at {second:g} cm, and a tenth, which counts here, at {third:g} cm",
+    for words in (f"at {first:g} cm, 5 % at {second:g} cm and 10 %, which counts here, at {third:g} cm",
                   f"begin to harden between {min(onsets):g} and {max(onsets):g} cm", f"begins to contract at {a['pull'][a.loosest]:g} cm here",
-                  f"carries {-max(lower):.1f} % to {-min(lower):.1f} % more", f"the left half {min(upper):.1f} % to {max(upper):.1f} % more",
+                  f"carries {-max(lower):.1f} % to {-min(lower):.1f} % more", f"the left half carries {min(upper):.1f} % to {max(upper):.1f} % more",
                   f"they carry {p[diagonal].mean() / p[~diagonal].mean():.2f} times",
                   f"vanishes {zero_crossing(places, mean(1, x)):.2f} m from the left end and {zero_crossing(places, mean(0, y)):.2f} m above",
-                  f"heave {min(heaves[1:]):.2f} to {max(heaves[1:]):.2f} m from the left end, on the sheet itself at {heaves[0]:.2f} m",
+                  f"heave {min(heaves[1:]):.2f} to {max(heaves[1:]):.2f} m from the left end. On the sheet itself it does so at {heaves[0]:.2f} m",
                   "sinks by {1:.1f} mm, all other nodes move by at most {0:.1f} mm".format(*numpy.sort(moved)[-2:])):
         assert words in told, words
