@@ -247,7 +247,8 @@ def test_names_in_kept_tables_have_words_on_the_page(folder):
                                        '[table.causes]\ncaption = "Why it differs"\nnames = { soft_wet = "wet sand" }\n')
     built(folder).write()
     page = (folder.parent / "page.html").read_text()
-    for part in ("<p>Why it differs, full size:</p>", "<th>load of loose sand [kPa]</th><th>wet sand [kPa]</th>", "<td>loose sand</td><td>1</td><td>slack</td>"):
+    for part in ("<p>Why it differs, full size:</p>", "<th>load of loose sand [kPa]</th><th>wet sand [kPa]</th>",
+                 "<td>loose sand</td><td>1</td><td>slack</td>"):
         assert part in page
     (folder / "words.toml").write_text(WORDS + "[names]\nsoft = 1\n")
     with pytest.raises(StudyError, match="words.toml: names is {'soft': 1} where a table of texts belongs"):
