@@ -63,13 +63,15 @@ struct FemDem {
     t.optional_output(output, "file to write");
     t.option(mesh, "mesh", "FILE", "mesh of Gmsh, ASCII 2.2 or 4.1, in place of the scenario's rectangle");
     t.option(overrides, "set", "KEY=VALUE", "replace one value of the scenario, as in time.duration=1");
-    t.flag(check, "check", "check the input and say how long the run will take; write nothing");
+    t.instead_of_output(check, "check", "check the input and say how long the run will take; write nothing");
     t.option(take, take_parameter);
     t.option(table, "table", "NAME", "print a table of a file of fem-dem as tab-separated text, and stop");
     t.option(columns, "columns", "NAME,NAME", "columns that --table prints, in this order; all of them otherwise");
     t.option(state, "state", "WHICH", "states whose rows --table prints: all, first, last or a number from 0");
     t.option(place, "near", "X,Y", "rows of the point or node alone that was nearest to this place, m, at the start");
     t.resume(interval);
+    t.refuse(
+        {"resume", "checkpoint-every"}, [this] { return take || !table.empty(); }, "beside --take and --table");
     t.keys("a scenario of fem-dem", &fem::scenario_keys);
     t.threads();
   }

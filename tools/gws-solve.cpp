@@ -7,7 +7,6 @@
 
 #include "core/cli/tool.h"
 #include "core/error.h"
-#include "files/exchange/table.h"
 #include "gws/output/options.h"
 #include "gws/output/output.h"
 #include "gws/output/report.h"
@@ -18,7 +17,6 @@
 namespace {
 
 using namespace soilweave;
-using gws::Groups;
 
 struct Respond {
   gws::CaseOptions bag;
@@ -40,6 +38,7 @@ struct Respond {
     t.option(samples, gws::samples_range);
     output.declare(t);
     t.seed();
+    gws::refuse_idle(t, samples, sensitivity, output);
   }
 
   void validate() const {
@@ -60,7 +59,7 @@ struct Respond {
     const gws::Response response(c);
     const auto rows_wanted = static_cast<std::size_t>(points);
     const auto states = c.geotextile.secant_at > 0 ? gws::secant_points(c, rows_wanted) : response.points(rows_wanted);
-    Groups groups{{"response", "response of the bag to surcharge", gws::response_table(states, c)}};
+    gws::Groups groups{{"response", "response of the bag to surcharge", gws::response_table(states, c)}};
     std::string text = read.soil_line() + gws::heading(c, read.soil.name);
     if (sensitivity) {
       const auto rows = gws::sensitivities(c, read.soil, share);
@@ -103,7 +102,7 @@ struct Identify {
     std::vector<std::string> wrong;
     if (toml && (output.tsv || output.file == "-")) wrong.emplace_back("--toml: print one thing at a time");
     series.check(wrong);
-    gws::check_table(table, wrong);
+    gws::check_table(output.tsv, table, wrong);
     output.check(wrong);
   }
 
@@ -113,7 +112,7 @@ struct Identify {
     const gws::SoilFile given = gws::find_soil(soil, assignments, sources, scenario);
     const auto bags = series.bags(sources);
     const auto found = series.identified(bags, given, sources);
-    const Groups groups = gws::groups_of(found);
+    const gws::Groups groups = gws::groups_of(found);
     output.put(groups, output.place_of(groups, table),
                toml ? gws::identified_soil(found, bags, series.method(), invocation.command)
                     : gws::describe(found, bags, series.method()),
@@ -142,6 +141,7 @@ struct Design {
     t.option(points, gws::points_range);
     bag.declare(t);
     output.declare(t);
+    gws::refuse_idle(t, surcharge, chart);
   }
 
   void validate() const {
@@ -159,7 +159,7 @@ struct Design {
     const gws::Demand demand{surcharge.value_or(0), settlement.value_or(1), safety * read.factors.load,
                              read.factors.weakened(c.soil)};
     gws::Case answered = c;
-    Groups groups;
+    gws::Groups groups;
     std::string text;
     std::vector<Doubt> doubts;
     if (chart) {

@@ -79,7 +79,7 @@ struct Homogenize {
   void validate() const {
     std::vector<std::string> wrong;
     if (!tsv && !list && output.empty()) wrong.emplace_back("nothing to do: give --tsv, --list or -o FILE");
-    if (list && (tsv || !output.empty())) wrong.emplace_back("--list excludes --tsv and -o");
+    if (list && tsv) wrong.emplace_back("--list excludes --tsv: give one of them");
     if (list && (state != "all" || !choice.empty() || grains || yarns || tessellation))
       wrong.emplace_back("--list prints names alone: leave --state and the flags of tables out");
     // A file has these two tables where they are named.

@@ -73,6 +73,9 @@ struct PackGenerate {
     table.option(cell, "cell", "LX,LY,LZ", "periodic cell of a text without a ##PERIODIC:: line, m; of disks LX,LY");
     table.flag(as_is, "as-is", "write the imported packing as it is, but many loose grains in spatial order");
     table.output(output, "packing to write");
+    table.refuse(
+        {"void-ratio", "pressure", "max-rate", "tolerance", "checkpoint-every"}, [this] { return as_is; },
+        "beside --as-is");
     table.resume(interval);
     table.seed();
     table.keys("a material file of pack-generate", &packing::Contacts::keys);
@@ -92,10 +95,6 @@ struct PackGenerate {
       throw UsageError(
           "--grading, --grains, --coarsest, --mean-radius, --aspect, --cloud-void-ratio and, beside a packing file, "
           "--dimension are of a new packing: leave them out with --import");
-    const bool load = void_ratio || pressure != standard.pressure || max_rate || tolerance != standard.tolerance;
-    if (as_is && load)
-      throw UsageError(
-          "--void-ratio, --pressure, --max-rate and --tolerance would change the packing: leave out --as-is");
   }
 
   void run(const tool::Invocation& invocation) const {

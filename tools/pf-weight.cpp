@@ -152,15 +152,14 @@ struct Resample {
     t.option(prior_share, calibration::prior_share_range);
     t.flag(keep, "keep", "keep the earlier sets, weighted as one sample of all rounds; --tsv prints the new ones");
     output.declare(t, "ensemble file to write");
+    t.refuse(
+        {"components"}, [this] { return method == "kernel"; }, "beside --method kernel");
+    t.refuse(
+        {"keep"}, [this] { return output.file.empty(); }, "without -o, for --tsv prints the new sets");
     t.seed();
   }
 
-  void validate() const {
-    std::vector<std::string> wrong;
-    if (method == "kernel" && components != 5)
-      wrong.emplace_back("--components: only a mixture has Gaussians to count");
-    output.check(wrong, true);
-  }
+  void validate() const { output.check({}, true); }
 
   void run(const tool::Invocation& invocation) const {
     std::vector<io::Source> sources;

@@ -65,15 +65,15 @@ struct ToVtk {
     table.flag(compress, "compress", "compress the arrays with zlib");
     table.flag(history, "history", "print how the file came to be, and stop");
     table.flag(text, "text", "print a state, the last by default, as text: x y z r, a grain a line, and stop");
+    const auto prints = [this] { return text || history; };
+    table.refuse({"fields", "force-scale", "unwrapped", "compress"}, prints, "beside --text and --history");
+    const auto tells = [this] { return history; };
+    table.refuse({"state", "text"}, tells, "beside --history");
   }
 
   void validate() const {
     std::vector<std::string> wrong;
-    if (history && text) wrong.emplace_back("--history and --text exclude each other");
     if (!history && !text && output == "-") wrong.emplace_back("name a folder for the VTK files with -o");
-    const bool drawn = !fields.empty() || force_scale || unwrapped || compress;
-    if ((history && (drawn || state != "all")) || (text && drawn))
-      wrong.emplace_back("--text and --history draw no picture, and a history has no --state: leave other options out");
     io::check_states(state, wrong);
     io::demand_none(wrong);
   }
@@ -141,7 +141,6 @@ struct ToVtk {
       if (table) grains_of(*snapshot);  // a mismatch with the table is told before anything is written
     }
     io::demand_advance("grains", times);
-
     io::ParaviewFolder folder(output, invocation.force, compress);
     Progress progress("to-vtk", invocation.quiet);
     if (contacts == 0) progress.note(input.string() + " holds no contacts: only grains and cell are written");
@@ -186,6 +185,7 @@ struct ToVtk {
       }
       io::demand_advance(group.name, times);
     }
+    if (frames.empty() && state != "all") throw UsageError("--state has no effect without places: leave it out");
     io::ParaviewFolder folder(output, invocation.force, compress);
     for (const Frame& frame : frames) folder.add(frame.group, frame.index, frame.picture);
     for (const auto& group : file.groups)

@@ -67,7 +67,11 @@ SHORT=(--set time.duration=0.02 --set time.output_interval=0.01)
   exits 0 fem-dem --check elastic.toml
   [[ $output == *"36 elements of the shape triangle3"* && $output == *"stability limit"* && $output == *"about "*" s on 1 thread"* ]] ||
     show "no forecast"
+  refuses 64 fem-dem "--output has no effect beside --check: leave it out" --check elastic.toml -o elastic.h5
+  refuses 64 fem-dem "--resume has no effect beside --check: leave it out" --check elastic.toml --resume
   fem-dem --quiet elastic.toml -o elastic.h5
+  refuses 64 fem-dem "--resume has no effect beside --take and --table: leave it out" --table series elastic.h5 --resume
+  refuses 64 fem-dem "--force has no effect without a file to write: leave it out" --table series elastic.h5 --force
   exits 0 fem-dem --table series elastic.h5
   [[ $(wc -l <<< "$output") -eq 5 ]] || show "wanted a header and four states"
   # Energy: the error of the balance is below 1 % of the work.

@@ -330,6 +330,18 @@ CASES
   [[ -z $stderr ]] || show "nothing is doubtful"
 }
 
+@test "options on which nothing depends are refused" {
+  refuses 64 respond "--seed has no effect without --samples: leave it out" --geotextile PP --seed 3
+  refuses 64 respond "--range has no effect without --sensitivity: leave it out" --geotextile PP --samples 9 --range 0.3
+  refuses 64 respond "--points has no effect beside --sensitivity without -o: leave it out" --geotextile PP --sensitivity --points 7
+  refuses 64 design "--points has no effect without --chart: leave it out" --surcharge 3e5 --points 7
+  refuses 64 design "--from has no effect without --surcharge or --chart: leave it out" --geotextile PP --settlement 0.05 --from 5e3
+  refuses 64 identify "--table increments: chooses the table that --tsv prints: give --tsv too, or leave it out" PP.tsv --table increments
+  refuses 64 identify "--group loading has no effect: no series is a fields file: leave it out" "$DEM/soilbag_uniaxial_PP.tsv" --group loading
+  refuses 64 identify "--strains natural has no effect: runs and their tables loading and reinforced tell their strains: leave it out" \
+    "$DEM/../../pipelines/ch5/kept/uc_PP.tsv" --geotextile PP --strains natural
+}
+
 @test "the sensitivity names every constant" {
   exits 0 gws-solve respond --geotextile PP --sensitivity
   local constant

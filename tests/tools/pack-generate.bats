@@ -150,7 +150,7 @@ m, r = (x["value"][-1] if hasattr(x, "keys") else x[()] for x in (m, r)); print(
   refused 64 "--cell needs --import FILE" --cell 1,2,3 -o out.h5
   refused 64 "--as-is needs --import FILE" --as-is -o out.h5
   refused 64 "are of a new packing: leave them out with --import" --import open.txt --grains 500 -o out.h5
-  refused 64 "would change the packing: leave out --as-is" --import packing.h5 --as-is --void-ratio 0.7 -o out.h5
+  refused 64 "--void-ratio has no effect beside --as-is: leave it out" --import packing.h5 --as-is --void-ratio 0.7 -o out.h5
   refused 64 "--cell: packing.h5 has a cell of its own" --import packing.h5 --cell 1,1,1 -o out.h5
   refused 64 "are of a new packing" --import packing.h5 --dimension 2 -o out.h5
   refused 64 "give three positive lengths, of disks two, in m" --import open.txt --cell 4 -o out.h5

@@ -423,7 +423,7 @@ logs() {
   sed 's/^id/ID/' runs.tsv > named.tsv
   refuses 65 assimilate "named.tsv: no column id among ID, t, one, two" ensemble.h5 observed.tsv --runs named.tsv --variance 0.1
   pf-weight assimilate "${try[@]}" --quiet -o posterior.h5 > steps.txt
-  refuses 64 resample "--components: only a mixture has Gaussians to count" posterior.h5 --method kernel --components 3 -o next.h5
+  refuses 64 resample "--components has no effect beside --method kernel: leave it out" posterior.h5 --method kernel --components 3 -o next.h5
 }
 
 @test "assimilate: columns of sets that the prior lacks are told where weights are" {
@@ -487,7 +487,8 @@ logs() {
   awk -F '\t' 'BEGIN { print "id\tt\tone\ttwo" } NR > 1 { for (t = 1; t <= 5; ++t) print $1 "\t" t "\t" $2 "\t" $3 }' alone.tsv > alone_runs.tsv
   pf-weight assimilate alone.tsv observed.tsv --prior prior.toml --runs alone_runs.tsv --variance 1e-2 --quiet -o alone.h5 > /dev/null
   refuses 65 resample "alone.h5: does not record the distribution of its sets; draw them anew, or resample without --keep" \
-    alone.h5 -n 5 --keep --tsv
+    alone.h5 -n 5 --keep --tsv -o next_alone.h5
+  refuses 64 resample "--keep has no effect without -o, for --tsv prints the new sets: leave it out" alone.h5 -n 5 --keep --tsv
 }
 
 @test "2000 sets and 100 steps of three observables take less than a second" {

@@ -213,13 +213,15 @@ f["particles/grains/position/time"][1] = 0'
   mentions 64 to-vtk "--state" "$IN/bare.h5" -o out --state none
   mentions 64 to-vtk "1 state, number 0" "$IN/bare.h5" -o out --state 1
   mentions 64 to-vtk "1 state, number 0" "$IN/fields.h5" -o out --state 1
-  mentions 64 to-vtk "exclude" --history --text "$IN/bare.h5"
-  local option unused="--text and --history draw no picture, and a history has no --state: leave other options out"
+  mentions 64 to-vtk "--text has no effect beside --history: leave it out" --history --text "$IN/bare.h5"
+  local option
   for option in --fields=fields.h5 --unwrapped --compress --force-scale=1; do
-    mentions 64 to-vtk "$unused" --text "$option" "$IN/bare.h5"
-    mentions 64 to-vtk "$unused" --history "$option" "$IN/bare.h5"
+    mentions 64 to-vtk "${option%=*} has no effect beside --text and --history: leave it out" --text "$option" "$IN/bare.h5"
+    mentions 64 to-vtk "${option%=*} has no effect beside --text and --history: leave it out" --history "$option" "$IN/bare.h5"
   done
-  mentions 64 to-vtk "$unused" --history --state last "$IN/bare.h5"
+  mentions 64 to-vtk "--state has no effect beside --history: leave it out" --history --state last "$IN/bare.h5"
+  fabric --quiet --state last -o tables.h5 "$IN/sheared.h5"
+  mentions 64 to-vtk "--state has no effect without places: leave it out" tables.h5 --state last -o out
   mentions 64 to-vtk "for packings and runs" --unwrapped "$IN/fields.h5" -o fields-vtk
   mentions 64 to-vtk "--force-scale" "$IN/bare.h5" -o out --force-scale -1
   [ ! -e out ]

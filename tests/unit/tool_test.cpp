@@ -51,6 +51,8 @@ struct Sample {
     t.threads();
     t.output(output, "what to write");
     t.also_output(side, "side", "what else to write");
+    t.refuse(
+        {"friction", "grains"}, [this] { return law == "linear" && note == "plain"; }, "beside --note plain");
   }
   void validate() const {
     if (text && law != "linear") throw UsageError("--text: goes with --law linear only\n--law: linear is meant");
@@ -118,13 +120,32 @@ class Tool : public testing::Test {
 
 TEST_F(Tool, RecordsWhatChangesTheResultInTableOrderAndNothingElse) {
   const Outcome o = run({"--set", "a=1",   "-q",    "--threads=3", "--resume",      "--seed",     "7",          "in.h5",
-                         "b.h5",  "-o",    "-",     "--law",       "hertz-mindlin", "--pressure", "100 kPa",    "-n",
+                         "b.h5",  "-o",    "made",  "--law",       "hertz-mindlin", "--pressure", "100 kPa",    "-n",
                          "20",    "--set", "b=x y", "--curve",     "c.tsv",         "--force",    "--friction", "0"});
   EXPECT_EQ(o.err, "");
   EXPECT_EQ(o.status, 0);
   EXPECT_EQ(o.out,
             "sample --pressure 100000 --friction 0 --grains 20 --set a=1 --set 'b=x y' --law hertz-mindlin --seed 7\n"
             "threads 3 curve c.tsv quiet 1\n");
+}
+
+TEST_F(Tool, RefusesGivenOptionsThatHaveNoEffect) {
+  Outcome o = run({"in.h5", "b.h5", "-o", "-", "--note", "plain", "-n", "500", "--friction", "1"});
+  EXPECT_EQ(o.err,
+            "sample: --friction has no effect beside --note plain: leave it out\n"
+            "sample: --grains has no effect beside --note plain: leave it out\n");
+  EXPECT_EQ(o.status, 64);
+  EXPECT_EQ(run({"in.h5", "b.h5", "-o", "-", "--note", "plain", "--law", "hertz-mindlin", "-n", "500"}).err, "");
+  // A value out of range is told first: the condition may depend on it.
+  EXPECT_EQ(run({"in.h5", "b.h5", "-o", "-", "--note", "plain", "-n", "1"}).err.find("no effect"), std::string::npos);
+}
+
+TEST_F(Tool, RefusesToOverwriteOrResumeStandardOutput) {
+  EXPECT_EQ(run({"in.h5", "b.h5", "-o", "-", "--force"}).err,
+            "sample: --force has no effect without a file to write: leave it out\n");
+  EXPECT_EQ(run({"in.h5", "b.h5", "-o", "-", "--resume"}).err,
+            "sample: --resume has no effect beside -o -, for nothing is kept of standard output: leave it out\n");
+  EXPECT_EQ(run({"in.h5", "b.h5", "-o", "-", "--side", "made", "--force"}).status, 0);
 }
 
 TEST_F(Tool, LeavesDefaultsOutOfTheRecord) {

@@ -58,6 +58,8 @@ void ComparisonOptions::declare(tool::Table& t) {
   t.option(variance, "variance", "V[,V...]", "variances instead (uniform, component)");
   t.option(least_size, least_size_range);
   t.option(stations, "at", "STATION", "also give densities and covariances here");
+  t.refuse(
+      {"at"}, [this] { return greatest; }, "beside --greatest, which compares at no station");
 }
 
 void ComparisonOptions::check(std::vector<std::string>& mistakes) const {

@@ -92,8 +92,10 @@ class Table {
   void unrecorded(std::string_view name);
   /// Declares --checkpoint-every (s) and --resume. With --resume the tool itself checks an existing output.
   void resume(double& interval);
-  /// Declares a flag with which the tool writes no file and needs no output name.
+  /// Declares a flag with which the tool writes no file, needs no output name and refuses options of outputs.
   void instead_of_output(bool& field, std::string_view name, std::string_view sentence);
+  /// Makes these options usage mistakes while `idle` returns true. why: "without --chart", "beside --table".
+  void refuse(std::vector<std::string_view> names, std::function<bool()> idle, std::string_view why);
   /// Declares --keys, which prints every key of the tool's TOML document. title: what the document is.
   void keys(std::string title, std::vector<Key> (*of)());
   /// Declares --seed N, into Invocation::seed.

@@ -94,6 +94,33 @@ void check_standard_input(const Table::Impl& table, std::vector<std::string>& mi
   if (dashes > 1) mistakes.emplace_back("'-' (standard input) can be read once only");
 }
 
+/// Refuses the options in `names` that are given although they have no effect, for the reason `why`.
+void refuse_given(const Table::Impl& table, const std::vector<std::string_view>& names, std::string_view why,
+                  std::vector<std::string>& mistakes) {
+  for (const Entry& entry : table.options)
+    if (!entry.given.empty() && std::ranges::find(names, entry.name) != names.end())
+      mistakes.push_back(fmt::format("{} has no effect {}: leave it out", entry.written(), why));
+}
+
+/// Refuses options of outputs where nothing is written, and options that the tool declares to be without effect.
+void check_idle(const Table::Impl& table, std::vector<std::string>& mistakes) {
+  if (table.output != nullptr && !table.writes()) {
+    const std::string why = "beside --" + table.no_output_name;
+    return refuse_given(table, {"output", "force", "resume", "checkpoint-every"}, why, mistakes);
+  }
+  const auto names_file = [](const Entry& entry) {
+    const std::string path = entry.writes ? entry.value() : "";
+    return !path.empty() && path != "-";
+  };
+  if (std::ranges::none_of(table.options, names_file))
+    refuse_given(table, {"force"}, "without a file to write", mistakes);
+  if (table.output != nullptr && *table.output == "-")
+    refuse_given(table, {"resume", "checkpoint-every"}, "beside -o -, for nothing is kept of standard output",
+                 mistakes);
+  for (const Idle& idle : table.idle)
+    if (idle.holds()) refuse_given(table, idle.names, idle.why, mistakes);
+}
+
 std::string quoted(const std::string& text) {
   const auto plain = [](unsigned char c) {
     return std::isalnum(c) != 0 || std::string_view("-_.,:=/+@%").find(c) != std::string_view::npos;
@@ -139,6 +166,7 @@ Ask parse(Table::Impl& table, int argc, char** argv, std::vector<std::string>& m
   if (table.understood) {
     assign_inputs(table, files, mistakes);
     check_standard_input(table, mistakes);
+    if (mistakes.empty()) check_idle(table, mistakes);
     if (table.output_required && table.writes() && table.output->empty())
       mistakes.emplace_back("--output is missing: give '-o FILE', or '-o -' for standard output");
   }

@@ -277,6 +277,7 @@ void Table::instead_of_output(bool& field, std::string_view name, std::string_vi
   flag(field, name, sentence);
   unrecorded(name);
   impl_->no_output = &field;
+  impl_->no_output_name = name;
 }
 
 void Table::seed() {
@@ -292,6 +293,10 @@ void Table::seed() {
   entry.value = [&field] { return std::to_string(field); };
   entry.standard = entry.value();
   entry.general = true;
+}
+
+void Table::refuse(std::vector<std::string_view> names, std::function<bool()> idle, std::string_view why) {
+  impl_->idle.push_back({std::move(names), std::move(idle), why});
 }
 
 void Table::threads() {

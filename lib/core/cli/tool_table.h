@@ -54,6 +54,13 @@ struct Entry {
   std::string written() const { return name.empty() ? "-" + letter : "--" + name; }
 };
 
+/// Options that have no effect while a condition holds, and the words after "--name has no effect".
+struct Idle {
+  std::vector<std::string_view> names;
+  std::function<bool()> holds;
+  std::string_view why;
+};
+
 /// One positional input, for a single file or for many.
 struct Positional {
   std::string name, sentence;
@@ -82,8 +89,11 @@ struct Table::Impl {
   std::string keys_title;
   /// Keys that --keys prints; nullptr: the tool has no --keys.
   std::vector<Key> (*keys)() = nullptr;
-  /// Flag with which nothing is written.
+  /// Flag with which nothing is written, and its name.
   const bool* no_output = nullptr;
+  std::string no_output_name;
+  /// Options that have no effect under a condition, which is asked after parsing.
+  std::vector<Idle> idle;
   /// Whether all options are known; otherwise the rest may be misread.
   bool understood = true;
   /// Option tables of a tool's verbs, for its help.

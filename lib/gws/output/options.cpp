@@ -229,6 +229,7 @@ std::vector<BagSeries> read_bags(const std::vector<std::filesystem::path>& paths
                                  const std::vector<std::string>& geotextiles, bool natural,
                                  std::vector<io::Source>& sources) {
   std::vector<BagSeries> bags;
+  bool grouped = false, converted = false;
   for (std::size_t i = 0; i < paths.size(); ++i) {
     const std::string where = paths[i].string();
     std::optional<Geotextile> given;
@@ -240,12 +241,20 @@ std::vector<BagSeries> read_bags(const std::vector<std::filesystem::path>& paths
       continue;
     }
     const io::Series table = read_series(paths[i], group, sources);
+    grouped = grouped || paths[i] == "-" || io::is_hdf5(paths[i]);
+    converted = converted || !(is_loading(table) || is_reinforced(table));
     const double stiffness = given ? given->stiffness : 0;
     const Stiffness of_it{stiffness, given ? "of " + given->name : ""};
     bags.push_back(is_loading(table)      ? bag_of_loading(table, where, of_it)
                    : is_reinforced(table) ? bag_of_reinforced(table, where, of_it)
                                           : bag_series(table, where, stiffness, natural));
   }
+  if (!group.empty() && !grouped)
+    throw UsageError(fmt::format("--group {} has no effect: no series is a fields file: leave it out", group));
+  if (natural && !converted)
+    throw UsageError(
+        "--strains natural has no effect: runs and their tables loading and reinforced tell their strains: leave it "
+        "out");
   for (std::size_t i = 0; i < bags.size(); ++i)
     for (std::size_t k = 0; k < i; ++k)
       if (bags[i].equal_rows(bags[k]))

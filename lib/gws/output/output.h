@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -28,5 +30,12 @@ struct Output : io::TableOutput {
   void put(const Groups& groups, std::size_t chosen, const std::string& text, const std::vector<io::Source>& sources,
            const std::string& scenario, const tool::Invocation& invocation, const std::vector<Doubt>& doubts) const;
 };
+
+/// Adds a mistake if there is no such table of an identification, or if it is chosen without tsv.
+void check_table(bool tsv, const std::string& name, std::vector<std::string>& mistakes);
+/// Makes options of `respond` usage mistakes where nothing depends on them.
+void refuse_idle(tool::Table& table, const std::int64_t& samples, const bool& sensitivity, const Output& output);
+/// Makes options of `design` usage mistakes where nothing depends on them.
+void refuse_idle(tool::Table& table, const std::optional<double>& surcharge, const bool& chart);
 
 }  // namespace soilweave::gws

@@ -154,13 +154,6 @@ std::vector<std::string> table_names() {
           "dilatancy_line", "stiffness",        "increments"};
 }
 
-void check_table(const std::string& name, std::vector<std::string>& mistakes) {
-  const std::vector<std::string> known = table_names();
-  if (std::find(known.begin(), known.end(), name) == known.end())
-    mistakes.push_back(fmt::format("--table: '{}' is not one of {}{}", name, fmt::join(known, ", "),
-                                   nearest(name, known).empty() ? "" : suggestion(name, known)));
-}
-
 std::vector<io::FieldsFile::Group> groups_of(const Identification& found) {
   std::vector<io::FieldsFile::Group> groups{{"constants", "identified constants", constants_table(found)}};
   for (const Line& line : found.lines)

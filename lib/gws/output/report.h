@@ -34,8 +34,6 @@ io::Series line_table(const Line& line);
 io::Series increments_table(const Identification& found);
 /// Returns the names of all tables of groups_of().
 std::vector<std::string> table_names();
-/// Adds a mistake if there is no such table.
-void check_table(const std::string& name, std::vector<std::string>& mistakes);
 /// Returns all tables as groups of a fields file.
 std::vector<io::FieldsFile::Group> groups_of(const Identification& found);
 /// Describes lines, constants, intervals, changes, outliers, and missing lines.
