@@ -89,14 +89,17 @@ Matrix greatest_values(const std::vector<std::vector<double>>& columns, const Ob
   return values;
 }
 
-/// Returns a run at the stations, and widens the widest gap between rows. Throws Unfit.
+/// Returns a run at the stations. Widens the widest gap between rows, and notes mixed runs. Throws Unfit.
 Matrix at_stations(const io::Series& whole, const Observations& observed, const Choice& choice, std::int64_t id,
-                   WidestGap& widest) {
+                   WidestGap& widest, MixedRuns& mixed) {
   const io::Series run = selected(whole, choice.where);
   std::vector<std::vector<double>> columns;  // read first, since a missing column is a mistake of the user
   for (const Observable& what : observed.observables) columns.push_back(column_of(run, what));
   if (run.rows() == 0) throw Unfit{Fate::too_short, "has no rows"};
-  if (choice.greatest) return greatest_values(columns, observed);
+  if (choice.greatest) {
+    mixed.compare(run, id);
+    return greatest_values(columns, observed);
+  }
   const std::vector<double> x = column_of(run, observed.station);
   for (std::size_t r = 0; r < x.size(); ++r) {
     if (!std::isfinite(x[r]))
@@ -286,6 +289,7 @@ Simulated simulated(const std::string& pattern, const std::vector<std::int64_t>&
   Simulated all;
   WidestGap widest(observed);
   OtherSets others(sets, observed, choice);
+  MixedRuns mixed(observed, choice);
   const bool one_table = pattern.find('{') == std::string::npos;
   std::map<std::int64_t, io::Series> members;
   if (one_table) {
@@ -310,7 +314,7 @@ Simulated simulated(const std::string& pattern, const std::vector<std::int64_t>&
         throw Unfit{Fate::missing, fmt::format("{}: no rows with id {}", pattern, id)};
       const io::SeriesFile file = one_table ? io::SeriesFile{members.at(id), {}} : read_member(path_of(pattern, id));
       if (!one_table) read.emplace_back(id, file.source);
-      all.values.push_back(at_stations(file.series, observed, choice, id, widest));
+      all.values.push_back(at_stations(file.series, observed, choice, id, widest, mixed));
       others.compare(file.series, id, member);
       all.fate.push_back(Fate::used);
       all.why.emplace_back();
@@ -325,6 +329,7 @@ Simulated simulated(const std::string& pattern, const std::vector<std::int64_t>&
   if (!one_table) sources.push_back(together(read));
   widest.doubt(all.doubts);
   others.doubt(all.doubts);
+  mixed.doubt(all.doubts);
   return all;
 }
 

@@ -66,4 +66,41 @@ void OtherSets::doubt(std::vector<Doubt>& doubts) const {
                                    runs_, runs_ == 1 ? "run names" : "runs name", example_)});
 }
 
+MixedRuns::MixedRuns(const Observations& observed, const Choice& choice) {
+  if (choice.greatest) progress_ = {"step", "time", observed.station.columns.front(), "strain_axial"};
+}
+
+void MixedRuns::compare(const io::Series& run, std::int64_t id) {
+  const auto known = std::ranges::find_if(progress_, [&](const std::string& name) { return run.find(name); });
+  if (known == progress_.end()) {
+    if (!progress_.empty()) rows_[id] = run.rows();
+    return;
+  }
+  const std::vector<double>& values = run.at(*known).values;
+  double greatest = values.front();
+  for (std::size_t r = 1; r < values.size(); ++r) {
+    if (greatest - values[r] > (greatest - values.front()) / 2) {
+      begun_again_.push_back(fmt::format("member {}, whose {} falls from {:.6g} to {:.6g} in row {}", id, *known,
+                                         values[r - 1], values[r], r + 1));
+      return;
+    }
+    greatest = std::max(greatest, values[r]);
+  }
+}
+
+void MixedRuns::doubt(std::vector<Doubt>& doubts) const {
+  std::vector<std::string> all = begun_again_;
+  std::map<std::size_t, std::size_t> members;
+  for (const auto& [id, rows] : rows_) ++members[rows];
+  const auto usual = std::ranges::max_element(members, {}, [](const auto& one) { return one.second; });
+  for (const auto& [id, rows] : rows_)
+    if (2 * usual->second > rows_.size() && rows > usual->first && rows % usual->first == 0)
+      all.push_back(fmt::format("member {}, which has {} rows where most have {}", id, rows, usual->first));
+  if (all.empty()) return;
+  doubts.push_back(
+      {"mixed", fmt::format("the greatest values may be those of several runs under one id: {}{}; give "
+                            "each run its own id, or choose rows with --where",
+                            all.front(), all.size() > 1 ? fmt::format(", and {} more", all.size() - 1) : "")});
+}
+
 }  // namespace soilweave::calibration

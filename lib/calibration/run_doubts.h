@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -42,6 +43,23 @@ class OtherSets {
   std::vector<std::string> compared_;
   std::size_t runs_ = 0;
   std::string example_;
+};
+
+/// Finds rows of several runs under one id where only the greatest values count, so that no station tells them apart.
+class MixedRuns {
+ public:
+  MixedRuns(const Observations& observed, const Choice& choice);
+  /// Takes the rows of a member's run. The runs are told apart by the first of these columns: step, time, the station,
+  /// strain_axial. Without any of them the number of rows has to do.
+  void compare(const io::Series& run, std::int64_t id);
+  /// Adds "mixed" if a column falls by more than half of its rise, as no loop of unloading does, or if a run has a
+  /// multiple of the rows that most runs have.
+  void doubt(std::vector<Doubt>& doubts) const;
+
+ private:
+  std::vector<std::string> progress_;
+  std::vector<std::string> begun_again_;
+  std::map<std::int64_t, std::size_t> rows_;
 };
 
 }  // namespace soilweave::calibration

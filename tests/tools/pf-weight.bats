@@ -246,6 +246,15 @@ PY
   exits 0 pf-weight assimilate "${try[@]}" --until 200
   [[ ${lines[1]} == $'0\t1\t200\t5\t4.5' && ${lines[2]} == $'1\t1\t200\t4.4\t4.5' && ${#lines[@]} -eq 3 ]] || show
   refuses 65 assimilate "peak.tsv: 2 rows where --greatest compares one value of a run: keep the row of its test, or end at it with --until" "${try[@]}"
+  refuses 64 assimilate "--at has no effect beside --greatest, which compares at no station: leave it out" "${try[@]}" --until 200 --at 2
+  # Two runs of one id are told: by the rows where nothing else tells them apart, else by a time, step or strain that falls.
+  [[ $stderr != *"several runs"* ]] || show
+  printf '1\t1\t4\n1\t1\t4\n' >> runs.tsv
+  exits 0 pf-weight assimilate "${try[@]}" --until 200
+  [[ $stderr == *"doubt: the greatest values may be those of several runs under one id: member 1, which has 4 rows where most have 2; give each run its own id"* ]] || show
+  printf 'id\ttime\tratio\n0\t0\t1\n0\t1\t5\n0\t0\t1\n0\t1\t4\n1\t0\t1\n1\t1\t5\n2\t0\t1\n2\t2\t5\n2\t1.5\t4\n' > runs.tsv
+  exits 0 pf-weight assimilate ensemble.h5 peak.tsv --runs runs.tsv --observe peak=ratio --variance 0.01 --greatest --until 200
+  [[ $stderr == *"under one id: member 0, whose time falls from 1 to 0 in row 3; give"* ]] || show
 }
 
 @test "assimilate: likelihoods that are all zero are told, with status 1 and numbers all the same" {
