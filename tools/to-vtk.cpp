@@ -132,7 +132,7 @@ struct ToVtk {
       io::VtkPicture grains = io::show_grains(snapshot, dyads, unwrapped);
       analysis::mark_parts(snapshot, grains);
       if (table) io::join_grains(grains, snapshot, *table);
-      io::add_principal(grains);
+      io::add_principal(grains, snapshot.grains.dimension);
       return grains;
     };
     std::vector<double> times;

@@ -198,37 +198,47 @@ VtkPicture show_grains(const Snapshot& state, const std::vector<Mat3>& dyads, bo
     std::vector<Mat3> stress = dyads;
     for (std::size_t g = 0; g < grains.size(); ++g) stress[g] /= solid_volume(grains.radius[g], grains.dimension);
     picture.point_data.push_back(flat("stress", stress));
-    add_principal(picture);
+    add_principal(picture, grains.dimension);
   }
   return picture;
 }
 
-void add_principal(VtkPicture& picture) {
+void add_principal(VtkPicture& picture, int dimension) {
   const auto named = [](const std::string& name) {
     return [name](const VtkArray& array) { return array.name == name; };
   };
   const auto stress = std::find_if(picture.point_data.begin(), picture.point_data.end(), named("stress"));
   if (stress == picture.point_data.end() || stress->components != 9) return;
   const auto tensors = std::get<std::vector<double>>(stress->values);
-  std::vector<Vec3> principal, directions;
+  std::vector<double> principal;
+  std::vector<Vec3> directions;
   for (std::size_t start = 0; start < tensors.size(); start += 9) {
     const Eigen::Map<const Mat3> tensor(&tensors[start]);  // transposed, which leaves the symmetric part equal
     if (!tensor.allFinite()) {                             // grain missing in the joined fields
-      principal.push_back(Vec3::Constant(std::numeric_limits<double>::quiet_NaN()));
-      directions.push_back(principal.back());
+      directions.push_back(Vec3::Constant(std::numeric_limits<double>::quiet_NaN()));
+      principal.insert(principal.end(), static_cast<std::size_t>(dimension), directions.back().x());
       continue;
     }
-    const Eigensystem<Mat3> system = eigensystem(symmetric(tensor));
-    principal.push_back(system.values.reverse());
-    // Bytes must not depend on the arbitrary sign of an eigenvector, so its largest component is made positive.
-    Vec3 major = system.vectors.col(2);
-    Eigen::Index largest = 0;
-    major.cwiseAbs().maxCoeff(&largest);
-    directions.push_back(major[largest] < 0 ? Vec3(-major) : major);
+    // Disks have no stress across their plane: it is no principal stress among theirs.
+    const Mat3 even = symmetric(tensor);
+    const auto add = [&](const auto& system, Vec3 major) {
+      for (int k = dimension - 1; k >= 0; --k) principal.push_back(system.values[k]);
+      // Bytes must not depend on the arbitrary sign of an eigenvector, so its largest component is made positive.
+      Eigen::Index largest = 0;
+      major.cwiseAbs().maxCoeff(&largest);
+      directions.push_back(major[largest] < 0 ? Vec3(-major) : major);
+    };
+    if (dimension == 3) {
+      const Eigensystem<Mat3> system = eigensystem(even);
+      add(system, system.vectors.col(2));
+    } else {
+      const Eigensystem<Mat2> system = eigensystem(Mat2(even.topLeftCorner<2, 2>()));
+      add(system, Vec3(system.vectors(0, 1), system.vectors(1, 1), 0));
+    }
   }
   std::erase_if(picture.point_data, named("principal_stress"));
   std::erase_if(picture.point_data, named("major_direction"));
-  picture.point_data.push_back(flat("principal_stress", principal));
+  picture.point_data.push_back({"principal_stress", dimension, std::move(principal)});
   picture.point_data.push_back(flat("major_direction", directions));
 }
 

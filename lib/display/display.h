@@ -27,9 +27,9 @@ double fitting_force_scale(const std::vector<const Snapshot*>& states);
 /// add_principal() and stress = dyad / solid volume (2D: area), Pa, compression positive.
 VtkPicture show_grains(const Snapshot& state, const std::vector<Mat3>& dyads, bool unwrapped);
 
-/// Adds principal_stress (greatest first) and major_direction (unit) if there is an array `stress`. Replaces earlier
-/// ones.
-void add_principal(VtkPicture& picture);
+/// Adds principal_stress (greatest first; disks have two) and major_direction (unit) if there is an array `stress`.
+/// Replaces earlier ones.
+void add_principal(VtkPicture& picture, int dimension);
 
 /// Returns contacts as lines from centre to centre, or to the plane. A contact through a periodic face is drawn twice,
 /// with `copies` = 2. Cell data: contact (index in the file), copies, body_id_1, body_id_2 (-1 - number for a plane),

@@ -165,7 +165,7 @@ VtkPicture show_rows(const Series& table, const TableState& state) {
   }
   if (lines) picture.shape = VtkShape::line;
   (lines ? picture.cell_data : picture.point_data) = arrays_of(table, state.rows);
-  add_principal(picture);
+  add_principal(picture, table.find("stress_zz") ? 3 : 2);
   return picture;
 }
 

@@ -270,6 +270,26 @@ TEST(DisplayTable, RowsWithADirectionAndALengthAreLinesAboutTheirPlaces) {
   EXPECT_EQ(values_of<double>(picture.cell_data, "tension"), (std::vector<double>{7, 8}));
 }
 
+// The zero across the plane of disks is no principal stress of theirs: it would be the greatest one of a disk in
+// tension.
+TEST(Display, DisksHaveTwoPrincipalStresses) {
+  Snapshot state;
+  state.grains.dimension = 2;
+  state.cell.periodic = {false, false, false};
+  add_grain(state, {0, 0, 0}, 0.5);
+  for (const double side : {-1.0, 1.0}) {
+    add_contact(state, 0, -1, {0, 0, 0}, -2.0, {0, 0, 0}, 0.5 * side * Vec3::UnitX());
+    add_contact(state, 0, -2, {0, 0, 0}, -6.0, {0, 0, 0}, 0.5 * side * Vec3::UnitY());
+  }
+  const VtkPicture grains = show_grains(state, analysis::grain_dyads(state), false);
+  const double unit = 2 * 2.0 * 0.5 / (std::numbers::pi * 0.25);
+  const auto& principal = values_of<double>(grains.point_data, "principal_stress");
+  ASSERT_EQ(principal.size(), 2u);
+  EXPECT_NEAR(principal[0], -unit, rounding);
+  EXPECT_NEAR(principal[1], -3 * unit, rounding);
+  EXPECT_EQ(values_of<double>(grains.point_data, "major_direction"), (std::vector<double>{1, 0, 0}));
+}
+
 TEST(DisplayTable, ComponentsBecomeVectorsAndTensors) {
   Series table;
   table.columns = {column("step", {4, 4}),      column("time", {0.5, 0.5}),
@@ -288,6 +308,7 @@ TEST(DisplayTable, ComponentsBecomeVectorsAndTensors) {
   EXPECT_EQ(values_of<double>(picture.point_data, "u"), (std::vector<double>{5, 7, 0, 6, 8, 0}));
   EXPECT_EQ(values_of<double>(picture.point_data, "stress"),
             (std::vector<double>{1, 3, 0, 3, 5, 0, 0, 0, 0, 2, 4, 0, 4, 6, 0, 0, 0, 0}));
+  EXPECT_EQ(values_of<double>(picture.point_data, "principal_stress").size(), 4u) << "two in each row of the plane";
   EXPECT_EQ(values_of<double>(picture.point_data, "rate_zz"), (std::vector<double>{1, 1}));
 }
 
