@@ -56,6 +56,10 @@ setup() {
   exits 0 plot fabric run.h5 -o fabric.pdf
   exits 0 plot rose run.h5 -o rose.png
   exits 0 plot rose run.h5 --stage 0 -o stage.png
+  # Doubts of that tool about the drawn state are said, with --quiet too; those about other states are not.
+  exits 0 plot rose run.h5 --quiet -o quiet.png
+  fabric --tsv --table rose --state last run.h5 2>&1 > /dev/null | sed 's/^fabric: doubt: /plot: doubt: fabric run.h5: /' > said
+  [[ -s said && $stderr == "$(cat said)" ]] || show "wanted: $(cat said)"
   [[ $(head -c 4 fabric.pdf) == %PDF && $(head -c 4 rose.png | tail -c 3) == PNG ]] || show
 }
 
@@ -69,6 +73,8 @@ setup() {
   complains 65 plot "run.h5: has no stage 7; give one that it has: 0" stress-path run.h5 --stage 7 -o a.svg
   complains 65 plot "run.h5: has no stage 7; give one that it has: 0" rose run.h5 --stage 7 -o a.svg
   complains 64 plot "--beside: rose draws no test data; leave it out" rose run.h5 --beside test.tsv -o a.svg
+  complains 64 plot "run.h5 is given twice, and one curve would hide the other: give it once" stress-path run.h5 run.h5 -o a.svg
+  complains 64 plot "--force has no effect without a file to write: leave it out" stress-path run.h5 --force
   complains 64 plot "--stage 0: posterior has no stages; leave it out" posterior run.h5 --stage 0 -o a.svg
   complains 65 plot "series.tsv: is no posterior; give the file that pf-weight assimilate writes with -o" posterior series.tsv -o a.svg
   complains 65 plot "packing.h5: holds no densities; pf-weight assimilate writes them with -o" posterior packing.h5 -o a.svg
