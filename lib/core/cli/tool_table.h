@@ -54,7 +54,7 @@ struct Entry {
   std::string written() const { return name.empty() ? "-" + letter : "--" + name; }
 };
 
-/// Options that have no effect while a condition holds, and the words after "--name has no effect".
+/// Options that have no effect while a condition holds, and the words that tell the condition.
 struct Idle {
   std::vector<std::string_view> names;
   std::function<bool()> holds;
