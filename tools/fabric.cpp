@@ -21,7 +21,8 @@ namespace {
 using namespace soilweave;
 
 constexpr std::int64_t usual_classes = 36;
-constexpr Parameter classes_parameter{"classes", "1", 8, 360, false, "classes of the full circle in the rose"};
+constexpr Parameter classes_parameter{
+    "classes", "1", 8, 360, false, "classes of the full circle in the rose, of spheres a multiple of 4"};
 
 struct FabricTool {
   std::filesystem::path input, output;
@@ -70,6 +71,7 @@ struct FabricTool {
       // Only contacts of reinforced soil count, as in the thesis: with soil, geotextile, plates and fill, or with soil
       // only.
       const io::Snapshot& all = file.snapshots[n];
+      demand_quarters(all);
       const bool reinforced = analysis::is_reinforced(all);
       if (soil && !reinforced)
         throw DataError(fmt::format("{}: holds no geotextile and no fill, so that --soil has no effect: leave it out",
@@ -91,6 +93,15 @@ struct FabricTool {
     }
     if (output.empty()) return;
     io::write_fields(output, fields, io::with_doubts(io::extend({file.source}, invocation), doubts));
+  }
+
+  // Throws UsageError if the angle from the loading axis, a quarter of the circle, would have classes of another width.
+  void demand_quarters(const io::Snapshot& state) const {
+    if (classes % 4 == 0 || state.grains.dimension == 2) return;
+    throw UsageError(
+        fmt::format("--classes {}: the angle from the loading axis takes a quarter of the circle, which has no whole "
+                    "number of these classes: give --classes {}",
+                    classes, (classes + 2) / 4 * 4));
   }
 };
 

@@ -112,6 +112,8 @@ PY
   mentions 64 fabric "all, first, last or a number" --tsv --state 1.5 "$IN/sheared.h5"
   mentions 64 fabric "1 state, number 0" --tsv --state 1 "$IN/bare.h5"
   mentions 64 fabric "--classes" --tsv --classes 2 "$IN/sheared.h5"
+  # A quarter of the circle had two classes of 45 degrees beside ten of 36.
+  mentions 64 fabric "which has no whole number of these classes: give --classes 12" --tsv --table rose --classes 10 "$IN/sheared.h5"
   mentions 64 fabric "--state is given twice: first and last; give one" --tsv --state first --state last "$IN/sheared.h5"
   mentions 64 fabric "--output is given twice: one.h5 and two.h5; give one" -o one.h5 -o two.h5 "$IN/sheared.h5"
   mentions 64 fabric "--table" --tsv --table roses "$IN/sheared.h5"
