@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstdio>
+#include <iterator>
 #include <string>
 #include <vector>
 
@@ -66,8 +68,9 @@ struct FabricTool {
     Group histogram{"histogram", "grains by number of contacts", {}};
     Group rose{"rose", "contacts by orientation", {}};
     Group chains{"chains", "contacts of the force chains", {}};
-    Doubts doubts(invocation.tool);
-    for (const std::size_t n : io::chosen_states(state, file.snapshots.size(), input.string())) {
+    std::vector<Doubt> found;
+    const std::vector<std::size_t> chosen = io::chosen_states(state, file.snapshots.size(), input.string());
+    for (const std::size_t n : chosen) {
       // Only contacts of reinforced soil count, as in the thesis: with soil, geotextile, plates and fill, or with soil
       // only.
       const io::Snapshot& all = file.snapshots[n];
@@ -78,13 +81,16 @@ struct FabricTool {
                                     input.string()));
       const io::Snapshot s = reinforced ? analysis::soil_contacts(all, soil) : all;
       const bool all_told = !output.empty();
-      if (all_told || table == "fabric") doubts.add_all(analysis::fabric_doubts(s));
-      if (all_told || table == "rose") doubts.add_all(analysis::rose_doubts(s, static_cast<std::size_t>(classes)));
+      if (all_told || table == "fabric") std::ranges::copy(analysis::fabric_doubts(s), std::back_inserter(found));
+      if (all_told || table == "rose")
+        std::ranges::copy(analysis::rose_doubts(s, static_cast<std::size_t>(classes)), std::back_inserter(found));
       analysis::put_fabric(fabric.table, s);
       analysis::put_histogram(histogram.table, s);
       analysis::put_rose(rose.table, s, static_cast<std::size_t>(classes));
       analysis::put_chains(chains.table, s);
     }
+    Doubts doubts(invocation.tool);
+    doubts.add_all(one_a_key(found, "states"));
     io::FieldsFile fields;
     for (Group* group : {&fabric, &histogram, &rose, &chains}) {
       if (tsv && group->name == table)

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <iterator>
 #include <string>
 #include <tuple>
 #include <utility>
@@ -97,9 +98,11 @@ struct Homogenize {
     const io::RunFile file = io::read_states(input);
     if (list) return print_list(file);
     Tables tables;
-    Doubts doubts(invocation.tool);
+    std::vector<Doubt> found;
     for (const std::size_t n : io::chosen_states(state, file.snapshots.size(), input.string()))
-      add(file.snapshots.front(), file.snapshots[n], tables, doubts);
+      add(file.snapshots.front(), file.snapshots[n], tables, found);
+    Doubts doubts(invocation.tool);
+    doubts.add_all(one_a_key(found, "states"));
     analysis::put_broken(tables.broken.table, file.snapshots.back());
     tables.series.table = file.series;
     put_of_run(file, tables);
@@ -125,7 +128,7 @@ struct Homogenize {
   /// Returns whether a table is needed: all tables are written, or this one is printed.
   bool wanted(std::string_view name) const { return !output.empty() || table == name; }
 
-  void add(const io::Snapshot& first, const io::Snapshot& s, Tables& tables, Doubts& doubts) const {
+  void add(const io::Snapshot& first, const io::Snapshot& s, Tables& tables, std::vector<Doubt>& found) const {
     if (wanted("cell")) analysis::put_cell(tables.cell.table, s, tessellation);
     if (wanted("bag") && analysis::is_reinforced(s)) analysis::put_bag(tables.bag.table, s);
     if (yarns || table == "yarns") analysis::put_yarns(tables.yarns.table, s);
@@ -135,7 +138,7 @@ struct Homogenize {
     const analysis::Local local = analysis::local(first, s);
     for (std::size_t k = 0; k < volumes.size(); ++k)
       analysis::put_volume(tables.volumes.table, first, s, static_cast<double>(k), volumes[k], local);
-    doubts.add_all(analysis::volume_doubts(s, volumes));
+    std::ranges::copy(analysis::volume_doubts(s, volumes), std::back_inserter(found));
     if (each_grain) analysis::put_grains(tables.grains.table, s, local);
   }
 

@@ -23,4 +23,18 @@ void Doubts::add_all(const std::vector<Doubt>& doubts) {
   for (const Doubt& doubt : doubts) add(doubt);
 }
 
+std::vector<Doubt> one_a_key(const std::vector<Doubt>& found, const std::string& things) {
+  std::vector<Doubt> firsts, different;
+  for (const Doubt& doubt : found)
+    if (std::find(different.begin(), different.end(), doubt) == different.end()) different.push_back(doubt);
+  for (const Doubt& doubt : different) {
+    const auto same = [&](const Doubt& other) { return other.key == doubt.key; };
+    if (std::any_of(firsts.begin(), firsts.end(), same)) continue;
+    firsts.push_back(doubt);
+    const auto more = std::count_if(different.begin(), different.end(), same) - 1;
+    if (more > 0) firsts.back().sentence += "; this concerns " + std::to_string(more) + " more of the " + things;
+  }
+  return firsts;
+}
+
 }  // namespace soilweave

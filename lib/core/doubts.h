@@ -42,4 +42,8 @@ class Doubts {
   std::vector<Doubt> all_;
 };
 
+/// Returns the first doubt of each key. Its sentence tells how many more `things`, such as "states", have one with
+/// another sentence, since only the first of a key is said.
+std::vector<Doubt> one_a_key(const std::vector<Doubt>& found, const std::string& things);
+
 }  // namespace soilweave

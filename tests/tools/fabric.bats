@@ -96,6 +96,8 @@ PY
   local fewer=${stderr#*--classes }
   exits 0 fabric --quiet --tsv --table rose --classes "${fewer%%,*}" --state last "$IN/sheared.h5"
   [[ $output != *nan* && -z $stderr ]] || show "the remedy fails"
+  exits 0 fabric --quiet --tsv --table rose --classes 360 "$IN/sheared.h5"
+  [[ $stderr == *"; this concerns "*" more of the states" ]] || show "the other states are silent"
 }
 
 @test "options that change nothing are refused" {

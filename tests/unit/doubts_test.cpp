@@ -34,6 +34,17 @@ TEST(Doubts, AreSaidOnceEachAndKeptInOrder) {
   EXPECT_EQ(doubts.all()[1].key, "isotropy");
 }
 
+TEST(Doubts, OfSeveralStatesTellTheirNumber) {
+  const std::vector<Doubt> said = one_a_key({{"empty", "step 0: 5"},
+                                             {"empty", "step 0: 5"},
+                                             {"empty", "step 9: 7"},
+                                             {"none", "step 9: x"},
+                                             {"empty", "step 12: 5"}},
+                                            "states");
+  EXPECT_EQ(said,
+            (std::vector<Doubt>{{"empty", "step 0: 5; this concerns 2 more of the states"}, {"none", "step 9: x"}}));
+}
+
 TEST(Doubts, OfASilentProcessAreKeptAlone) {
   testing::internal::CaptureStderr();
   Doubts doubts;
