@@ -80,7 +80,7 @@ PY
 }
 
 @test "a soil is identified from runs of bags as they are, as from the tables of their loading" {
-  sed '/^yarn_tension/d; s/^yarn_strain.*/curve = "1.3PE"/' press.toml > named.toml
+  sed '/^yarn_tension/d; s/^yarn_strain.*/curve = "1.3PE"\nmultiple = 1/' press.toml > named.toml
   run-dem --quiet bag.h5 named.toml -o named.h5
   exits 0 gws-solve identify run.h5 named.h5
   # The stiffness is the secant of the run's curve over the yarns' distance: 1.3 times the stiffness in the file of PE.
@@ -97,8 +97,19 @@ PY
   same_bytes runs.tsv mixed.tsv
   gws-solve identify run.h5 named.h5 --toml > soil.toml
   grep -q "^# named.h5: rows 2 to 4 of 4" soil.toml || show "$(cat soil.toml)"
-  exits 65 gws-solve identify bag.h5
+  # The data sheet does not tell the stiffness of a fabric whose tensions are multiplied.
+  "$PYTHON" - <<'PY'
+import h5py
+with h5py.File("named.h5", "r+") as file:
+    text = file["scenario"][()]
+    other = text.replace(b"multiple = 1", b"multiple = 2")
+    assert len(other) == len(text) and other != text, text
+    file["scenario"][()] = other
+PY
+  exits 65 gws-solve identify named.h5
   # shellcheck disable=SC2154  # set by exits
+  [[ $stderr == *"named.h5: its yarns are "*" mm apart, with multiple = 2, and its fabric has 1.88"*" times the strength of 1.3PE: give --geotextile FILE"* ]] || show
+  exits 65 gws-solve identify bag.h5
   [[ $stderr == "gws-solve identify: bag.h5: has no series: it is a packing"* ]] || show
   refuses 65 homogenize "bag.h5: has no series: it is a packing" --table loading --tsv bag.h5
 }
@@ -261,7 +272,16 @@ PYTHON
   # The number of a strength in kN/m that was copied as the tension of a yarn in N.
   contradicts 'yarn_tension: ends at 47.5 N, which is the strength of a yarn 1 mm wide' 'strength = "47.5 kN/m"'
   printf 'failure_strain = 0.16\nstrength = "9.5 kN/m"\nstiffness = "53 kN/m"\n' >> yarn.toml
-  run-dem --check bag.h5 loads/press.toml --set geotextile.0.curve=yarn.toml > /dev/null
+  exits 0 run-dem --quiet --check bag.h5 loads/press.toml --set geotextile.0.curve=yarn.toml
+  # shellcheck disable=SC2154  # stderr is set by run
+  [[ $stderr != *"yarns of geotextile"* ]] || show "the curve is that of yarns so far apart"
+  # The curve of yarns three times as far apart makes the fabric stronger than its file says. The remedy that is told helps.
+  sed -i 's/9.5 kN/3.2 kN/' yarn.toml
+  exits 0 run-dem --quiet --check bag.h5 loads/press.toml --set geotextile.0.curve=yarn.toml
+  [[ $stderr == *"doubt: yarns of geotextile 0 are some "*" where their file has a strength of 3.2 kN/m: give the tensions of yarns so far apart, or multiple = "* ]] || show
+  local multiple=${stderr##*multiple = }
+  exits 0 run-dem --quiet --check bag.h5 loads/press.toml --set geotextile.0.curve=yarn.toml --set "geotextile.0.multiple=${multiple%%$'\n'*}"
+  [[ $stderr != *"yarns of geotextile"* ]] || show "the remedy fails"
   refuses 65 run-dem 'geotextile.0.yarn_strain: ends at 17, more than twice the length; per cent are written "17 %"' bag.h5 press.toml \
     --set 'geotextile.0.yarn_strain=[2,6,17]' -o out.h5
   run-dem --check bag.h5 press.toml --set 'geotextile.0.yarn_strain=["2 %","6 %","17 %"]' > /dev/null

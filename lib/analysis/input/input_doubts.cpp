@@ -13,6 +13,9 @@ namespace {
 
 // Strengths of geotextiles and geogrids, N/m. The lightest nonwovens have 4 kN/m, the heaviest geogrids 2000 kN/m.
 constexpr double weakest = 3e3, strongest = 3e6;
+// Largest ratio of the spacing of yarns to the width that a curve is of. Faces and sides of a bag differ in their
+// spacing.
+constexpr double farthest_width = 1.5;
 // Largest share of the forces or stresses that a station at rest may be off.
 constexpr double most_off = 0.1;
 
@@ -59,14 +62,24 @@ std::vector<Doubt> yarn_doubts(const io::Snapshot& begun, const dem::Scenario& s
       if (yarns.geotextile_id[y] == static_cast<std::int32_t>(g)) length += yarns.rest_length[y], count += 1;
     if (count == 0) continue;
     const double apart = length / count, tension = std::ranges::max(scenario.model.geotextiles[g].tension);
-    const double strength = tension / apart;
-    if (strength >= weakest && strength <= strongest) continue;
-    doubts.push_back(
-        {g == 0 ? "yarn" : fmt::format("yarn-{}", g),
-         fmt::format("yarns of geotextile {} are some {:.3g} mm apart and bear {:.4g} N at most, which is {:.3g} kN/m "
-                     "where geotextiles have {:.0f} to {:.0f}: a curve gives the tension of one yarn, in N, which is "
-                     "that in kN/m times {:.3g}",
-                     g, 1e3 * apart, tension, 1e-3 * strength, 1e-3 * weakest, 1e-3 * strongest, 1e3 * apart)});
+    const double strength = tension / apart, sheet = scenario.model.geotextiles[g].strength;
+    const double width = sheet > 0 ? tension / sheet : apart;
+    const std::string found = fmt::format(
+        "yarns of geotextile {} are some {:.3g} mm apart and bear {:.4g} N at most, which is {:.3g} kN/m where ", g,
+        1e3 * apart, tension, 1e-3 * strength);
+    const auto say = [&](const std::string& key, const std::string& rest) {
+      doubts.push_back({g == 0 ? key : fmt::format("{}-{}", key, g), found + rest});
+    };
+    if (std::max(apart / width, width / apart) > farthest_width)
+      say("spacing",
+          fmt::format("their file has a strength of {:.3g} kN/m: give the tensions of yarns so far apart, or "
+                      "multiple = {:.3g}",
+                      1e-3 * sheet, apart / width));
+    else if (strength < weakest || strength > strongest)
+      say("yarn",
+          fmt::format("geotextiles have {:.0f} to {:.0f}: a curve gives the tension of one yarn, in N, which is "
+                      "that in kN/m times {:.3g}",
+                      1e-3 * weakest, 1e-3 * strongest, 1e3 * apart));
   }
   return doubts;
 }

@@ -21,6 +21,8 @@ struct WireCurve {
   std::vector<double> tension;
   /// Slope of unloading, N per unit of strain.
   double unloading = 0;
+  /// Strength of the fabric in its data sheet, N/m; 0 if unknown, or if the scenario multiplies the tensions.
+  double strength = 0;
 
   /// Returns the strain at which a yarn breaks.
   double breaking_strain() const { return strain.back(); }

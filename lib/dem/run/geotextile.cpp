@@ -60,7 +60,7 @@ WireCurve read_points(Settings& table) {
 }
 
 /// Reads the file's numbers for the analytical model. The curve does not need them, but it must not contradict them.
-void compare(const WireCurve& curve, Settings& document) {
+void compare(WireCurve& curve, Settings& document) {
   if (document.has(stiffness.name)) document.number(stiffness);
   const bool known = !curve.strain.empty() && !curve.tension.empty() && curve.strain.back() <= 1;
   if (document.has(failure.name)) {
@@ -71,7 +71,8 @@ void compare(const WireCurve& curve, Settings& document) {
                                    100 * curve.strain.back(), 100 * breaks));
   }
   if (document.has(strength.name)) {
-    const double width = known ? curve.tension.back() / document.number(strength) : narrowest;
+    curve.strength = document.number(strength);
+    const double width = known ? curve.tension.back() / curve.strength : narrowest;
     // In a yarn 1 m or 1 mm wide, tensions without a unit are likelier those of the fabric, in N/m or kN/m.
     const bool copied = !document.bare("N").empty() && std::min(std::abs(width - 1), std::abs(1e3 * width - 1)) < 0.01;
     if (!(width >= narrowest && width <= widest) || copied)
@@ -123,6 +124,7 @@ WireCurve read_geotextile(Settings& table, const std::string& key, const NamedFi
   }
   for (double& t : curve.tension) t *= factor * layers;
   curve.unloading *= factor * layers;
+  curve.strength *= factor == 1 ? layers : 0;
   return curve;
 }
 

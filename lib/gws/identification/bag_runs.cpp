@@ -28,6 +28,9 @@ double spacing_of_yarns(const io::YarnsRecord& yarns, std::int32_t fabric) {
   return sum / count;
 }
 
+constexpr Parameter tensions{"yarn_tension", "N", 0, 1e12, true, "tensions of a yarn at these strains"};
+constexpr Parameter multiple{"multiple", "1", 0, 1e3, true, "factor on the tensions"};
+
 /// Returns the digests of the geotextile files that the run took.
 std::vector<std::string> geotextile_files(const io::RunFile& run) {
   std::vector<std::string> digests;
@@ -37,24 +40,33 @@ std::vector<std::string> geotextile_files(const io::RunFile& run) {
   return digests;
 }
 
-Stiffness by_name(const std::string& name, const io::RunFile& run, const std::string& where) {
+Stiffness by_name(const std::string& name, double factor, std::int32_t fabric, const io::RunFile& run,
+                  const std::string& where) {
+  // Largest ratio of the fabric's strength in the run to that of its data sheet, either way. Meshes round the spacing.
+  constexpr double farthest = 1.25;
   const Geotextile found = find_geotextile(name);
   double layers = 1;
   const char* const end = name.data() + name.size();
   const std::string base(std::from_chars(name.data(), end, layers).ptr, end);
-  const std::string digest = io::sha256(io::read_bytes(data_file("geotextiles", base + ".toml")));
+  const std::string sheet = io::read_bytes(data_file("geotextiles", base + ".toml")), digest = io::sha256(sheet);
   if (std::ranges::count(geotextile_files(run), digest) == 0)
     throw DataError(
         fmt::format("{}: its geotextile {} is not the one of data/geotextiles any more: its file has changed "
                     "since the run; give --geotextile FILE for it",
                     where, name));
+  const std::vector<double> tension = Settings::parse(sheet, "geotextile " + base).numbers(tensions);
+  const double apart = spacing_of_yarns(run.snapshots.front().yarns, fabric);
+  const double share = factor * layers * tension.back() / apart / found.strength;
+  if (std::max(share, 1 / share) > farthest)
+    throw DataError(
+        fmt::format("{}: its yarns are {:.3g} mm apart, with multiple = {:.3g}, and its fabric has {:.3g} times the "
+                    "strength of {}: give --geotextile FILE with the stiffness of that fabric",
+                    where, 1e3 * apart, factor, share, name));
   return {found.stiffness, "of geotextile " + name};
 }
 
 Stiffness by_numbers(Settings& table, const io::YarnsRecord& yarns, std::int32_t fabric, const std::string& where) {
   static constexpr Parameter strains{"yarn_strain", "1", 0, 10, true, "strains of the curve's points"};
-  static constexpr Parameter tensions{"yarn_tension", "N", 0, 1e12, true, "tensions of a yarn at these strains"};
-  static constexpr Parameter multiple{"multiple", "1", 0, 1e3, true, "factor on the tensions"};
   const std::vector<double> strain = table.numbers(strains), tension = table.numbers(tensions);
   if (strain.empty() || tension.empty())
     throw DataError(where + ": its geotextile has no curve that tells a stiffness; give --geotextile for it");
@@ -149,7 +161,7 @@ Stiffness stiffness_in(const io::RunFile& run, const std::string& where) {
         fmt::format("{}: the curve of its geotextile is that of {}, a file which is not in the run; give "
                     "--geotextile FILE with its stiffness",
                     where, curve));
-  return by_name(curve, run, where);
+  return by_name(curve, table.number(multiple, 1.0), *wrapped, run, where);
 }
 
 BagSeries bag_of_run(const io::RunFile& run, const std::string& where, const std::optional<Geotextile>& given) {
