@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "analysis/input/input_doubts.h"
 #include "analysis/measure/volume_of_interest.h"
 #include "analysis/tables/doubts.h"
 #include "analysis/tables/loading_doubts.h"
@@ -72,6 +73,8 @@ struct FilterExpand {
     Doubts doubts(invocation.tool);
     doubts.add_all(analysis::material_doubts(start, what.model, what.numerics.gravity));
     if (what.growth) doubts.add_all(analysis::mesh_doubts(start));
+    if (what.growth)
+      doubts.add_all(analysis::tolerance_doubts("growth.unbalanced_force", what.growth->unbalanced_force));
     const StopSignals signals;
     io::demand_no_input(history, past, "--history");
     io::SafeOutput safe(output, past, invocation);
@@ -117,6 +120,8 @@ struct FilterExpand {
     dem::described(cell.state, what.model);
     std::vector<Doubt> about = analysis::material_doubts(cell.state, what.model, what.numerics.gravity);
     for (Doubt& doubt : analysis::bare_stress_doubts(what.bare_stresses)) about.push_back(std::move(doubt));
+    const double unbalanced = what.surround->recipe.tolerances.unbalanced_force;
+    for (Doubt& doubt : analysis::tolerance_doubts("surround.unbalanced_force", unbalanced)) about.push_back(doubt);
     Progress progress("filter-expand", invocation.quiet);
     const ProgressReport report = [&](double done, const std::string& detail) { progress.update(done, detail); };
     std::vector<io::Source> sources = {reinforced.source, text};

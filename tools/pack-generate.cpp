@@ -140,7 +140,7 @@ struct PackGenerate {
     const ProgressReport report = [&](double f, const std::string& detail) { progress.update(f, detail); };
     packing::Result result =
         packing::compact(state, contacts.model, contacts.numerics, recipe, report, {safe.part(), interval, &signals});
-    for (Doubt& doubt : packing::doubts_about(result.state, contacts, room)) about.push_back(std::move(doubt));
+    for (Doubt& doubt : packing::doubts_about(result.state, contacts, room, tolerance)) about.push_back(doubt);
     Doubts("pack-generate").add_all(about);
     Doubts doubts;
     if (result.unheld) doubts.add({"void_ratio", *result.unheld});  // the error below says it

@@ -228,7 +228,7 @@ TOML
   exits 0 run-dem --quiet --check packing.h5 short.toml --set equilibrium.stress_tolerance=0.1
   [[ $stderr != *"doubt: equilibrium."* ]] || show
   exits 0 run-dem --quiet --check packing.h5 short.toml --set equilibrium.stress_tolerance=0.5
-  [[ $stderr == *"doubt: equilibrium.stress_tolerance is 0.5, which is 50 %: stations are recorded that are not at rest"* ]] || show
+  [[ $stderr == *"doubt: equilibrium.stress_tolerance is 0.5, which is 50 %: states are recorded that are not at rest"* ]] || show
   exits 0 run-dem --quiet --check packing.h5 short.toml --set equilibrium.unbalanced_force=0.9
   [[ $stderr == *"doubt: equilibrium.unbalanced_force is 0.9, which is 90 %"* ]] || show
 }

@@ -157,6 +157,9 @@ stops_when_full() {
   fabric rested.h5 --table histogram --tsv > rested.tsv
   [[ $(value rested.tsv contacts 2) -eq 1 && $(value rested.tsv grains 2) -le 4 ]] || show "$(cat rested.tsv)"
   refuses 1 filter-expand "the grains do not fill the container" --quiet packing.h5 bag.toml --set growth.rounds=10 -o out.h5
+  exits 1 filter-expand --quiet packing.h5 bag.toml --set growth.rounds=1 --set growth.unbalanced_force=0.5 -o out.h5
+  # shellcheck disable=SC2154  # stderr is set by run
+  [[ $stderr == *"doubt: growth.unbalanced_force is 0.5, which is 50 %: states are recorded that are not at rest"* ]] || show
   # The requested overlap is more than is left at rest, and less than there was before.
   local round between
   read -r round between < <(table '{ before = rest; rest = c("mean_overlap"); round = c("round") }

@@ -146,6 +146,8 @@ PY
 }
 
 @test "errors: usage" {
+  complains 64 homogenize "--box 0,1,0,1,0,1 is given twice, and would be two volumes: give it once" --tsv --table volumes --box 0,1,0,1,0,1 \
+    --box 0,1,0,1,0,1 "$IN/sheared.h5"
   complains 64 homogenize "nothing to do: give --tsv, --list or -o FILE" "$IN/sheared.h5"
   mentions 64 homogenize "both write to standard output" --tsv -o - "$IN/sheared.h5"
   mentions 64 homogenize "all, first, last or a number" --tsv --state middle "$IN/sheared.h5"

@@ -192,6 +192,9 @@ TEST(Doubtful, RattlersCoordinationAndCellAreSaid) {
   const Contacts contacts(default_material(mean_radius(loose)), "default material");
   for (const Doubt& doubt : doubts_about(loose, contacts, std::nullopt)) keys += doubt.key + " ";
   EXPECT_EQ(keys.find("rattlers coordination cell "), 0u) << keys;
+  EXPECT_EQ(keys.find("tolerance"), std::string::npos) << keys;
+  for (const Doubt& doubt : doubts_about(loose, contacts, std::nullopt, 0.5)) keys += doubt.key + " ";
+  EXPECT_NE(keys.find("tolerance"), std::string::npos) << "an unbalanced force of a half is no rest";
 }
 
 }  // namespace

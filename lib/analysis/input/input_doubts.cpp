@@ -84,14 +84,17 @@ std::vector<Doubt> yarn_doubts(const io::Snapshot& begun, const dem::Scenario& s
   return doubts;
 }
 
-std::vector<Doubt> tolerance_doubts(const dem::Tolerances& tolerances) {
-  const bool forces = tolerances.unbalanced_force > most_off;
-  if (!forces && tolerances.stress <= most_off) return {};
-  const double off = forces ? tolerances.unbalanced_force : tolerances.stress;
+std::vector<Doubt> tolerance_doubts(const std::string& key, double off) {
+  if (off <= most_off) return {};
   return {
-      {"tolerance", fmt::format("equilibrium.{} is {:.3g}, which is {:.3g} %: stations are recorded that are not at "
-                                "rest at their stresses; give {} or less",
-                                forces ? "unbalanced_force" : "stress_tolerance", off, 100 * off, most_off)}};
+      {"tolerance", fmt::format("{} is {:.3g}, which is {:.3g} %: states are recorded that are not at rest at their "
+                                "stresses; give {} or less",
+                                key, off, 100 * off, most_off)}};
+}
+
+std::vector<Doubt> tolerance_doubts(const dem::Tolerances& tolerances) {
+  std::vector<Doubt> forces = tolerance_doubts("equilibrium.unbalanced_force", tolerances.unbalanced_force);
+  return forces.empty() ? tolerance_doubts("equilibrium.stress_tolerance", tolerances.stress) : forces;
 }
 
 std::vector<Doubt> input_doubts(const io::Snapshot& begun, const dem::Scenario& scenario) {

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "core/doubts.h"
@@ -14,9 +15,15 @@ namespace soilweave::analysis {
 /// "unused-geotextile" if no yarn has a [[geotextile]]. begun: the state before the first step, with all planes.
 std::vector<Doubt> unused_doubts(const io::Snapshot& begun, const dem::Scenario& scenario);
 
-/// Returns "yarn" if the greatest tension of a curve, over the mean length of its yarns, is no strength of a
-/// geotextile: below 3 or above 3000 kN/m. A mesh has square openings, so that yarns are as far apart as they are long.
+/// Returns "spacing" if the greatest tension of a curve, over the mean length of its yarns, differs by a factor of more
+/// than 1.5 from the strength in the curve's file, so that the curve is that of yarns further apart or nearer.
+/// Otherwise returns "yarn" if it is no strength of a geotextile: below 3 or above 3000 kN/m. A mesh has square
+/// openings, so that yarns are as far apart as they are long.
 std::vector<Doubt> yarn_doubts(const io::Snapshot& begun, const dem::Scenario& scenario);
+
+/// Returns "tolerance" if `off`, the value of `key`, is above a tenth. It is the share by which forces or stresses may
+/// be off in a state that counts as at rest.
+std::vector<Doubt> tolerance_doubts(const std::string& key, double off);
 
 /// Returns "tolerance" if stations count as settled with an unbalanced force or stresses off by more than a tenth.
 std::vector<Doubt> tolerance_doubts(const dem::Tolerances& tolerances);

@@ -64,6 +64,8 @@ void VolumeChoice::check(std::vector<std::string>& wrong) const {
     const std::vector<double> b = numbers_of_list(text);
     bool rises = b.size() == 4 || b.size() == 6;
     for (std::size_t k = 1; rises && k < b.size(); k += 2) rises = b[k - 1] < b[k];
+    if (std::ranges::count(boxes, text) > 1 && wrong.empty())
+      wrong.push_back(fmt::format("--box {} is given twice, and would be two volumes: give it once", text));
     if (!rises)
       wrong.push_back(
           fmt::format("--box {}: give x, y and z from low to high, as in 0,0.1,0,0.1,0,0.2 (of disks x and y)", text));

@@ -6,7 +6,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
+#include "analysis/input/input_doubts.h"
 #include "analysis/measure/fabric.h"
 #include "analysis/measure/soundness.h"
 #include "analysis/measure/stress.h"
@@ -125,10 +127,12 @@ std::optional<Doubt> length_doubt(const io::Snapshot& state) {
                            void_ratio, loosest, state.cell.matrix(0, 0), mean_radius(state))};
 }
 
-std::vector<Doubt> doubts_about(const io::Snapshot& state, const Contacts& contacts, const std::optional<Room>& room) {
+std::vector<Doubt> doubts_about(const io::Snapshot& state, const Contacts& contacts, const std::optional<Room>& room,
+                                double unbalanced) {
   std::vector<Doubt> doubts = analysis::material_doubts(state, contacts.model, contacts.numerics.gravity);
   if (auto doubt = radius_doubt(state)) doubts.push_back(*doubt);
   if (auto doubt = room ? grading_doubt(*room, state.grains.size()) : std::nullopt) doubts.push_back(*doubt);
+  for (Doubt& doubt : analysis::tolerance_doubts("--tolerance", unbalanced)) doubts.push_back(std::move(doubt));
   const analysis::Coordination c = analysis::coordination(state);
   const double rattlers = analysis::rattler_share(state, c.rattlers);
   if (rattlers > limits.rattlers)

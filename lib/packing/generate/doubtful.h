@@ -32,7 +32,9 @@ std::optional<Doubt> radius_doubt(const io::Snapshot& state);
 std::optional<Doubt> length_doubt(const io::Snapshot& state);
 
 /// Returns doubts about a packing at rest under an isotropic pressure: its materials, its sizes, its grading, rattlers,
-/// a coordination number below 3, the cell's width, q/p, overlap. room: curve and cell of a new packing.
-std::vector<Doubt> doubts_about(const io::Snapshot& state, const Contacts& contacts, const std::optional<Room>& room);
+/// a coordination number below 3, the cell's width, q/p, overlap. room: curve and cell of a new packing. unbalanced:
+/// unbalanced force at which the packing counted as at rest, doubted above a tenth.
+std::vector<Doubt> doubts_about(const io::Snapshot& state, const Contacts& contacts, const std::optional<Room>& room,
+                                double unbalanced = 0);
 
 }  // namespace soilweave::packing
