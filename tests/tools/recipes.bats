@@ -13,7 +13,7 @@ ROOT=$BATS_TEST_DIRNAME/../..
   for folder in data pipelines tests; do ln -s "$ROOT/$folder" "$folder"; done
   while IFS= read -r command; do
     # The examples of run-dem press this bag already (help.bats).
-    [[ $command != *press.toml* ]] || command+=" --check"
+    [[ $command != *press.toml* ]] || command="${command% -o *} --check"
     bash -o pipefail -c "$command" 2> said || show "$command" "$(cat said)"
     count=$((count + 1))
   done < <(awk '/^    [^# ]/ { sub(/^ +/, ""); print }' "$ROOT/pipelines/recipes/README.md")
