@@ -48,7 +48,7 @@ bool is_far(const Pair& pair, std::size_t chunk) {
 // Pairs of a chunk in the previous list, visited in order.
 class Known {
  public:
-  Known(const LargeVector<ContactBlock>& chunk, const std::vector<double>& own, std::size_t numbers,
+  Known(const std::vector<ContactBlock>& chunk, const std::vector<double>& own, std::size_t numbers,
         const std::vector<CellOffset>& images, const PairOrder& before)
       : block_(chunk.data()), end_(block_ + chunk.size()), images_(images), before_(before) {
     own_ = own.data(), numbers_ = numbers;
@@ -89,12 +89,26 @@ void leave_empty(ContactBlock& block, int k, std::size_t grain, std::size_t far)
   block.folded = static_cast<std::uint8_t>(block.folded | (~0u << k));
 }
 
+// Returns how many blocks the pairs of a chunk fill. Each pair of materials begins a new block.
+std::size_t blocks_of(std::span<const Pair> pairs, const PairOrder& order) {
+  std::size_t blocks = 0, begin = 0;
+  for (std::size_t k = 1; k <= pairs.size(); ++k) {
+    if (k < pairs.size() && order.same_materials(pairs[k], pairs[begin])) continue;
+    blocks += (k - begin + ContactBlock::size - 1) / ContactBlock::size;
+    begin = k;
+  }
+  return blocks;
+}
+
 // Fills the blocks of a chunk with pairs and their history. Pairs with grains of other chunks get loads from `load` on.
-void fill(LargeVector<ContactBlock>& blocks, std::vector<double>& own, std::size_t chunk, std::span<const Pair> pairs,
+void fill(std::vector<ContactBlock>& blocks, std::vector<double>& own, std::size_t chunk, std::span<const Pair> pairs,
           std::size_t load, const std::vector<CellOffset>& images, const PairOrder& order, Known known) {
   const std::size_t begin = chunk * grains_per_chunk;
   blocks.clear(), own.clear();
   const std::size_t own_size = known.own_numbers() * ContactBlock::size;
+  // Arrays that grow by doubling would be up to twice as large as needed.
+  const std::size_t needed = blocks_of(pairs, order);
+  blocks.reserve(needed), own.reserve(needed * own_size);
   for (auto at = pairs.begin(); at != pairs.end();) {
     ContactBlock& block = blocks.emplace_back();
     own.resize(own.size() + own_size);
@@ -178,7 +192,7 @@ void Contacts::list(const std::vector<Pair>& pairs, std::vector<PlanePair> with_
   known_.resize(static_cast<std::size_t>(threads)), known_own_.resize(known_.size());
   const PairOrder order(bodies);
   in_parallel(known_.size(), threads, [&](std::size_t share) {
-    LargeVector<ContactBlock>& known = known_[share];
+    std::vector<ContactBlock>& known = known_[share];
     const std::size_t end = (share + 1) * chunks.size() / known_.size();
     for (std::size_t chunk = share * chunks.size() / known_.size(); chunk < end; ++chunk) {
       known.swap(chunks[chunk]), known_own_[share].swap(own[chunk]);

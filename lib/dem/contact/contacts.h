@@ -21,8 +21,8 @@ namespace soilweave::dem {
 
 /// All pairs of a simulation, in chunks of blocks, with the history of those that touch.
 struct Contacts {
-  /// Blocks of each chunk.
-  std::vector<LargeVector<ContactBlock>> chunks;
+  /// Blocks of each chunk. The pool of large pages would round their memory up to powers of two.
+  std::vector<std::vector<ContactBlock>> chunks;
   /// Pairs of grains and planes.
   PlaneContacts planes;
   /// Cell offsets that occur: zero, then the others sorted. The last one is for empty lanes, which never touch.
@@ -78,7 +78,7 @@ struct Contacts {
   /// The law's own numbers of the blocks in known_.
   std::vector<std::vector<double>> known_own_;
   /// Previous blocks of the chunk that a thread lists anew, by thread.
-  std::vector<LargeVector<ContactBlock>> known_;
+  std::vector<std::vector<ContactBlock>> known_;
   /// Other chunks that a chunk's pairs reach.
   std::vector<std::vector<std::uint32_t>> reached_;
   /// Second grains in other chunks, pair by pair, by chunk.
