@@ -66,14 +66,10 @@ only '(Eigen/|unsupported/)' 'tools' ''
 
 # limit LINES FILE...: demands that no file is longer.
 limit() {
-  local most=$1 file
+  local most=$1
   shift
-  for file in "$@"; do
-    [[ -f $file ]] || continue
-    local lines
-    lines=$(wc -l <"$file")
-    ((lines <= most)) || fault "$file: $lines lines; at most $most"
-  done
+  while IFS= read -r line; do fault "$line"; done < <(
+    wc -l "$@" | awk -v most="$most" '$2 != "total" && $1 > most { printf "%s: %d lines; at most %d\n", $2, $1, most }')
 }
 mapfile -t headers < <(find lib -name '*.h' | sort)
 mapfile -t sources < <(find lib -name '*.cpp' | sort)
