@@ -118,24 +118,35 @@ X := $(B)/extended$(if $(NARROW),/narrow)
 headers_of = $(sort $(shell grep -ls 'static constexpr .* name = "' $(LISTED_$(1))/*.h))
 
 object = $(patsubst %.cpp,$(B)/obj/%.o,$(1))
-# Sources of a folder of lib/ are compiled as one (FOLDERS), because nearly half of the time of a single source goes into the precompiled
-# header and into templates that its neighbours need too. Sources of one folder must have unlike names, which clang-tidy needs as
-# well (TIDY_GROUPS). The two sources that need CGAL and a flag for it are joined to each other (ROUNDED). SINGLE sources have flags
-# of their own, objects that extensions or MPI replace, or need of VTK; build/plain and the counters of coverage take each source by itself.
-# Benchmark tests, and unit tests in the sanitizers' tree, are joined by tens (TENS).
+# Sources of a folder of lib/ are compiled as one (UNITS), because nearly half of the time of a single source goes into the precompiled
+# header and into templates that its neighbours need too. Several folders share a unit where an edit still compiles in seconds, because the
+# optimisation is low (COLD). The sanitizers' tree, which checks build, has the largest units. Sources of a unit must have unlike names, which
+# clang-tidy needs as well (TIDY_GROUPS). The two sources that need CGAL and a flag for it are joined to each other (ROUNDED). SINGLE sources
+# have flags of their own, objects that extensions or MPI replace, or need of VTK; build/plain and the counters of coverage take each source
+# by itself. Benchmark tests, and unit tests in the sanitizers' tree, are joined by tens (TENS).
 ROUNDED := lib/analysis/measure/tessellation.cpp lib/packing/container/shapes/surface.cpp
 SWEPT := lib/dem/sweep/contact_sweep.cpp lib/dem/sweep/grain_motion.cpp lib/dem/engine/motion.cpp lib/dem/contact/contacts.cpp
 SINGLE := $(ROUNDED) $(SWEPT) $(LISTING) lib/core/linear_algebra.cpp lib/core/processor.cpp lib/dem/sweep/vector_width.cpp lib/fem/model/ranks.cpp \
   lib/display/paraview.cpp
 JOINED := $(if $(NO_PCH)$(COVERAGE),,$(filter-out $(SINGLE),$(LIB)))
-FOLDERS := $(if $(JOINED),$(B)/obj/rounded/folder.o) $(patsubst %,$(B)/obj/%folder.o,$(sort $(dir $(JOINED))))
+# A folder is written with a point for a slash here.
+COLD_UNITS := store+files+files.exchange+display core.cli+core.text gws.design+gws.laboratory+gws.output$(if $(SANITIZE),+gws.identification) \
+  dem.run+analysis.tables fem.mesh+fem.run+calibration.output $(if $(SANITIZE),,calibration)
+WARM_UNITS := $(if $(SANITIZE),dem.contact+dem.engine+dem.loading+dem.state+dem.sweep packing.container+packing.container.shapes+packing.expand+packing.generate \
+  analysis.input+analysis.measure fem.material+fem.model)
+folder_of = $(subst /,.,$(patsubst lib/%/,%,$(dir $(1))))
+folders_of = $(subst +, ,$(1))
+UNITS := $(if $(JOINED),rounded $(COLD_UNITS) $(WARM_UNITS) $(filter-out $(call folders_of,$(COLD_UNITS) $(WARM_UNITS)),$(sort $(call folder_of,$(JOINED)))))
+sources_of = $(if $(filter rounded,$(1)),$(ROUNDED),$(foreach f,$(JOINED),$(if $(filter $(call folder_of,$f),$(call folders_of,$(1))),$f)))
+unit_of = $(foreach u,$(UNITS),$(if $(filter $(call folder_of,$(1)),$(call folders_of,$u)),$u))
+UNIT_OBJECTS := $(UNITS:%=$(B)/obj/units/%.o)
 tens_of = $(patsubst %,$(B)/obj/tests/$(1)/tests_%.o,$(shell seq 1 10 $(words $(call tests_of,$(1)))))
 JOINED_TESTS := $(if $(NO_PCH)$(COVERAGE),,benchmarks $(if $(SANITIZE),unit))
 TENS := $(foreach t,$(JOINED_TESTS),$(call tens_of,$(t)))
 # The folder that needs CGAL takes longest and begins first, so that no core waits for it.
-LIB_OBJECTS := $(FOLDERS) $(call object,$(filter-out $(JOINED) $(if $(JOINED),$(ROUNDED)),$(LIB)))
+LIB_OBJECTS := $(UNIT_OBJECTS) $(call object,$(filter-out $(JOINED) $(if $(JOINED),$(ROUNDED)),$(LIB)))
 # The objects that hold these sources, joined or not.
-objects_of = $(sort $(foreach s,$(1),$(if $(filter $s,$(JOINED)),$(B)/obj/$(dir $s)folder.o,$(call object,$s))))
+objects_of = $(sort $(foreach s,$(1),$(if $(filter $s,$(JOINED)),$(B)/obj/units/$(call unit_of,$s).o,$(call object,$s))))
 # plot is a Python program that imports the package of the studies. It is a link, through which it finds the package.
 TOOLS := $(patsubst tools/%.cpp,$(B)/bin/%,$(TOOL)) $(B)/bin/plot
 # Test programs of every check; soak takes minutes.
@@ -188,9 +199,9 @@ $(B)/obj/%.o: %.cpp $(B)/flags $(if $(NO_PCH),,$(PRECOMPILED).gch)
 	@$(call compile,$(CPPFLAGS) $(if $(NO_PCH),,-include $(PRECOMPILED)) $(CXXFLAGS) -MMD -MP -c $< -o $@)
 
 # Helpers of different unit tests may have equal names, so each joined test gets a namespace within its unnamed one.
-$(FOLDERS:.o=.cpp): $(B)/obj/%/folder.cpp: always
+$(UNIT_OBJECTS:.o=.cpp): $(B)/obj/units/%.cpp: always
 	@mkdir -p $(@D)
-	@printf '#include "%s"\n' $(if $(filter rounded,$*),$(ROUNDED),$(foreach f,$(JOINED),$(if $(filter $*/,$(dir $f)),$f))) > $@.new; $(keep_new)
+	@printf '#include "%s"\n' $(call sources_of,$*) > $@.new; $(keep_new)
 define join_tests
 $(patsubst %.o,%.cpp,$(call tens_of,$(1))): $(B)/obj/tests/$(1)/tests_%.cpp: always
 	@mkdir -p $$(@D)
@@ -199,25 +210,26 @@ $(patsubst %.o,%.cpp,$(call tens_of,$(1))): $(B)/obj/tests/$(1)/tests_%.cpp: alw
 	  sed "s/^namespace {\$$$$/namespace { namespace $$$$name {/; s,^}  // namespace\$$$$,} }," $$$$test; done > $$@.new; $$(keep_new)
 endef
 $(foreach t,$(JOINED_TESTS),$(eval $(call join_tests,$(t))))
-$(FOLDERS) $(TENS): %.o: %.cpp $(B)/flags $(if $(NO_PCH),,$(PRECOMPILED).gch)
+$(UNIT_OBJECTS) $(TENS): %.o: %.cpp $(B)/flags $(if $(NO_PCH),,$(PRECOMPILED).gch)
 	@echo '  c++   $(<:$(B)/obj/%=%)'
 	@$(call compile,-iquote . $(CPPFLAGS) $(if $(NO_PCH),,-include $(PRECOMPILED)) $(CXXFLAGS) -MMD -MP -c $< -o $@)
 
 # CGAL's interval arithmetic needs the rounding mode respected; its undefined-behaviour build takes longest of all files.
-$(call object,$(ROUNDED)) $(B)/obj/rounded/folder.o: private CXXFLAGS += -frounding-math $(if $(SANITIZE),-fno-sanitize=undefined)
-# Under the sanitizers and without optimisation, CGAL compiles in half the time, and sources without long loops in two thirds. A precompiled
-# header holds for one level of optimisation.
-COLD := $(if $(SANITIZE),$(filter $(B)/obj/rounded/% $(addprefix $(B)/obj/lib/,store/% files/% display/% core/cli/% core/linear_algebra.o \
-  core/text/% analysis/tables/% gws/design/% gws/identification/% gws/output/% dem/run/% fem/mesh/% fem/run/%),$(LIB_OBJECTS)))
+$(call object,$(ROUNDED)) $(B)/obj/units/rounded.o: private CXXFLAGS += -frounding-math $(if $(SANITIZE),-fno-sanitize=undefined)
+# Sources without long loops compile faster at a lower level of optimisation: in two thirds of the time with -O1 instead of -O3, and under the
+# sanitizers, CGAL included, in half to two thirds with -O0. A precompiled header holds for one level of optimisation.
+COLD_LEVEL := $(if $(SANITIZE),-O0,$(if $(filter-out portable,$(VARIANT)),,-O1))
+COLD := $(if $(COLD_LEVEL),$(patsubst %,$(B)/obj/units/%.o,$(COLD_UNITS) $(if $(SANITIZE),rounded)) \
+  $(call object,$(if $(SANITIZE),lib/core/linear_algebra.cpp,$(TOOL))))
 $(COLD): $(B)/precompiled/cold.h.gch
 $(COLD): private PRECOMPILED := $(B)/precompiled/cold.h
-$(COLD) $(B)/precompiled/cold.h.gch: private CXXFLAGS += -O0
+$(COLD) $(B)/precompiled/cold.h.gch: private CXXFLAGS += $(COLD_LEVEL)
 $(call object,$(VTK_ONLY)): private CPPFLAGS += $(VTK_CPPFLAGS)
 # Where GCC 12 packs single numbers into vector registers, it fuses products with sums (vfmaddsub) in spite of -ffp-contract=off. GCC 14
 # does not, so that eigenvalues would differ in their last digits. `make fused` finds such sources.
-# A precompiled header would bring its own optimisation back. The sanitizers' -O1 does not pack numbers.
+# A precompiled header would bring its own optimisation back. The sanitizers' tree does not pack numbers.
 UNPACKED := $(if $(SANITIZE),,$(call object,lib/core/linear_algebra.cpp))
-$(UNPACKED): private CXXFLAGS += -fno-tree-slp-vectorize
+$(UNPACKED): private CXXFLAGS += -fno-tree-slp-vectorize $(COLD_LEVEL)
 $(UNPACKED): private PRECOMPILED := lib/core/linear_algebra.h
 # Hot loops. GCC would copy a register of four numbers in halves, and a read of the whole register then waits for both. It would
 # also pack single integers into vector registers, which takes more time than it saves. Clang has no such switches.
@@ -303,8 +315,8 @@ $(B)/mpi/fem-dem: $(call object,tools/fem-dem.cpp $(MPI_ONLY)) $(B)/libsoilweave
 # Tools with additional headers from a folder outside lib/: FOLDER/laws, FOLDER/paths, FOLDER/energies, FOLDER/containers,
 # FOLDER/tables.
 # Only the sources that read the lists are compiled again. They are linked before the archive, which gives all other objects.
-# With NARROW=1 their sweep takes four contacts at a time on every processor, which saves the compilation for AVX-512. Checks use
-# it, since the bits are equal.
+# With NARROW=1 their sweep takes four contacts at a time on every processor, which saves the compilation for AVX-512, and optimisation is
+# low. Checks use it, since the bits are equal.
 EXTENSIONS ?= tests/extension
 EXTENDED := $(patsubst %.cpp,$(X)/obj/%.o,$(filter lib/%,$(LISTING)) $(if $(EIGHT_EXTENDED),,lib/dem/sweep/vector_width.cpp)) $(EIGHT_EXTENDED)
 OUTSIDE = $(wildcard $(LISTS:%=$(EXTENSIONS)/%/*.h))
@@ -315,6 +327,10 @@ $(LISTS:%=$(X)/lists/%.h): $(X)/lists/%.h: always
 	@mkdir -p $(@D)
 	@$(call print_list,$*,$(call headers_of,$*) $(sort $(wildcard $(EXTENSIONS)/$*/*.h))) > $@.new; \
 	  $(keep_new)
+COLD_EXTENDED := $(if $(NARROW),$(if $(COLD_LEVEL),$(EXTENDED)))
+$(COLD_EXTENDED): $(B)/precompiled/cold.h.gch
+$(COLD_EXTENDED): private PRECOMPILED := $(B)/precompiled/cold.h
+$(COLD_EXTENDED): private CXXFLAGS += $(COLD_LEVEL)
 $(X)/obj/%.o: %.cpp $(B)/flags $(if $(NO_PCH),,$(PRECOMPILED).gch) | $(LISTS:%=$(X)/lists/%.h)
 	@mkdir -p $(@D)
 	@echo '  c++   $< (extended)'
@@ -354,7 +370,7 @@ $(B)/tests/fuzz/%: tests/fuzz/target.cpp $(call object,$(SUPPORT)) $(B)/libsoilw
 	@echo '  link  $@'
 	@$(CXX) $(CPPFLAGS) -Itests -DREADER=$* $(CXXFLAGS) -fsanitize=fuzzer $(LDFLAGS) $^ $(LDLIBS) -o $@
 
--include $(patsubst %.o,%.d,$(call object,$(SOURCES)) $(FOLDERS) $(TENS) $(EIGHT) $(LOWERED))
+-include $(patsubst %.o,%.d,$(call object,$(SOURCES)) $(UNIT_OBJECTS) $(TENS) $(EIGHT) $(LOWERED))
 
 .PHONY: programs
 programs: $(TOOLS) $(TEST_PROGRAMS)
@@ -598,7 +614,7 @@ warnings:
 	@found=0; for tree in build build/sanitize; do for source in $(SOURCES); do \
 	  for log in $$tree/obj/$${source%.cpp}{,.avx512,.eight}.o.warnings; do \
 	    if [ -s $$log ] && [ $$log -nt $$source ]; then cat $$log >&2; found=1; fi; done; done; done; \
-	for log in $$(find build/obj build/sanitize/obj -name '*.o.warnings' -size +0 2> /dev/null | grep -E '/(folder|tests_[0-9]+)\.o\.'); do \
+	for log in $$(find build/obj build/sanitize/obj -name '*.o.warnings' -size +0 2> /dev/null | grep -E '/(units/[^/]+|tests_[0-9]+)\.o\.'); do \
 	  sources=$$(sed -nE 's/^#(include|line 1) "(.*\.cpp)"$$/\2/p' $${log%.o.warnings}.cpp); \
 	  [ -n "$$(find $$sources -newer $$log)" ] || { cat $$log >&2; found=1; }; done; exit $$found
 
