@@ -299,8 +299,9 @@ TEST(BagRuns, CountFromTheReferenceRowToTheLastWithoutABrokenYarn) {
 }
 
 TEST(BagRuns, TakeTheStatedStiffnessOfANamedGeotextileWhoseFileIsTheSame) {
-  const auto named = [](const std::string& curve) {
-    return run(box, "[[geotextile]]\ncurve = \"" + curve + "\"\nmultiple = 2\n" + planes + preload + compression);
+  const auto named = [](const std::string& curve, const std::string& multiple = "4.5") {
+    return run(box, "[[geotextile]]\ncurve = \"" + curve + "\"\nmultiple = " + multiple + "\n" + planes + preload +
+                        compression);
   };
   const auto refused = [](const io::RunFile& file) -> std::string {
     try {
@@ -315,6 +316,10 @@ TEST(BagRuns, TakeTheStatedStiffnessOfANamedGeotextileWhoseFileIsTheSame) {
   file.source.history.back().inputs.push_back(
       {"geotextile", io::sha256(io::test::bytes_of("data/geotextiles/PP.toml")), -1});
   EXPECT_EQ(gws::bag_of_run(file, "run.h5", std::nullopt).stiffness, 3 * 232e3);
+  io::RunFile thin = named("3PP", "2");
+  thin.source = file.source;
+  EXPECT_NE(refused(thin).find("with multiple = 2, and its fabric has 0.44 times the strength of 3PP"),
+            std::string::npos);
   EXPECT_NE(refused(named("my/yarn.toml")).find("give --geotextile FILE"), std::string::npos);
   io::RunFile soon = named("PP");
   soon.series.columns.back().values.resize(6);
