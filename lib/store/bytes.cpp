@@ -63,13 +63,16 @@ class Descriptor {
 
 std::string read_all(int descriptor, const std::string& where) {
   std::string bytes;
-  struct stat status = {};
-  if (fstat(descriptor, &status) == 0 && S_ISREG(status.st_mode))
-    bytes.reserve(static_cast<std::size_t>(status.st_size) + 1);
   constexpr std::size_t block = std::size_t{1} << 20;
-  std::size_t length = 0;
+  std::size_t length = 0, more = block;
+  struct stat status = {};
+  // A file gets room for one byte more than it has, so that its end is seen without more memory.
+  if (fstat(descriptor, &status) == 0 && S_ISREG(status.st_mode)) more = static_cast<std::size_t>(status.st_size) + 1;
   for (;;) {
-    bytes.resize(std::max(bytes.capacity(), length + block));
+    if (length == bytes.size()) {
+      bytes.resize(length + more);
+      more = std::max(block, bytes.size());
+    }
     const ssize_t got = ::read(descriptor, bytes.data() + length, bytes.size() - length);
     if (got < 0 && waited(descriptor, POLLIN)) continue;
     if (got < 0) throw IoError(where + ": reading failed: " + reason());
