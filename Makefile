@@ -119,8 +119,8 @@ headers_of = $(sort $(shell grep -ls 'static constexpr .* name = "' $(LISTED_$(1
 
 object = $(patsubst %.cpp,$(B)/obj/%.o,$(1))
 # Sources of a folder of lib/ are compiled as one (UNITS), because nearly half of the time of a single source goes into the precompiled
-# header and into templates that its neighbours need too. Several folders share a unit where an edit still compiles in seconds, because the
-# optimisation is low (COLD). The sanitizers' tree, which checks build, has the largest units. Sources of a unit must have unlike names, which
+# header and into templates that its neighbours need too. Several folders share a unit where an edit still compiles in half a minute, because
+# the optimisation is low (COLD). The sanitizers' tree, which checks build, has the largest units. Sources of a unit must have unlike names, which
 # clang-tidy needs as well (TIDY_GROUPS). The two sources that need CGAL and a flag for it are joined to each other (ROUNDED). SINGLE sources
 # have flags of their own, objects that extensions or MPI replace, or need of VTK; build/plain and the counters of coverage take each source
 # by itself. Benchmark tests, and unit tests in the sanitizers' tree, are joined by tens (TENS).
@@ -143,7 +143,7 @@ UNIT_OBJECTS := $(UNITS:%=$(B)/obj/units/%.o)
 tens_of = $(patsubst %,$(B)/obj/tests/$(1)/tests_%.o,$(shell seq 1 10 $(words $(call tests_of,$(1)))))
 JOINED_TESTS := $(if $(NO_PCH)$(COVERAGE),,benchmarks $(if $(SANITIZE),unit))
 TENS := $(foreach t,$(JOINED_TESTS),$(call tens_of,$(t)))
-# The folder that needs CGAL takes longest and begins first, so that no core waits for it.
+# The unit that needs CGAL takes longest and begins first, so that no core waits for it.
 LIB_OBJECTS := $(UNIT_OBJECTS) $(call object,$(filter-out $(JOINED) $(if $(JOINED),$(ROUNDED)),$(LIB)))
 # The objects that hold these sources, joined or not.
 objects_of = $(sort $(foreach s,$(1),$(if $(filter $s,$(JOINED)),$(B)/obj/units/$(call unit_of,$s).o,$(call object,$s))))
