@@ -22,7 +22,7 @@ calibrate() {
 @test "two tests are weighed together until the effective size is reached or the rounds are spent; finished runs stay" {
   pack-generate --grains 200 --pressure 1e4 --void-ratio 0.8 --seed 1 --quiet -o packing.h5
   exits 1 calibrate --samples 5,3 --rounds 2 --effective-size 100
-  # shellcheck disable=SC2154  # stderr is set by run
+  # shellcheck disable=SC2154  # stderr is set by call
   [[ $stderr == *"after 2 of 2 rounds, below the 100 asked for"*"loading rate: the scenario's"* ]] || show
   [[ -s case/posterior.h5 && -s case/predicted.svg && -s case/posterior.svg ]] || show "$(ls case)"
   # Both tests and all sets of both rounds count.

@@ -131,7 +131,7 @@ command with --resume goes on from there" said || show "$(< said)"
 
 @test "the limit of processor time is obeyed like SIGTERM" {
   call bash -c 'ulimit -S -t 1; exec run-dem --quiet packing.h5 short.toml --set stage.1.rate=1e-6 -o out.h5'
-  # shellcheck disable=SC2154  # stderr is set by run
+  # shellcheck disable=SC2154  # stderr is set by call
   [[ $status -eq 75 && $stderr == *"stopped by SIGXCPU"* ]] || show "not stopped by SIGXCPU"
 }
 

@@ -34,7 +34,7 @@ setup() {
 @test "doubts are said once at the end, with --quiet too, and kept in the file; --check says what is known before" {
   local said="run-dem: doubt: stage \"shear\" at 0.5 1/s: inertial number "
   exits 0 run-dem --quiet packing.h5 short.toml -o run.h5
-  # shellcheck disable=SC2154  # stderr is set by run
+  # shellcheck disable=SC2154  # stderr is set by call
   [[ $(grep -c "^$said" <<< "$stderr") -eq 1 && $stderr == *"above 1e-04 the response depends on the rate; a rate of 0.0"* ]] ||
     show "wanted the inertial number"
   [[ $stderr == *"run-dem: doubt: the cell is "*" diameters of the largest grain "* ]] || show "wanted the cell"
@@ -110,7 +110,7 @@ follows() {
   for set in "$@"; do mended+=(--set "$set"); done
   all=("${broken[@]}" "${mended[@]}")
   call run-dem --quiet --force packing.h5 short.toml "${broken[@]}" -o broken.h5
-  # shellcheck disable=SC2031  # status is set by run
+  # shellcheck disable=SC2031  # status is set by call
   [[ $status -ne 0 && $stderr == *"$words"* ]] || show "wanted a failure: $words"
   exits 0 run-dem --quiet --force packing.h5 short.toml "${all[@]}" -o mended.h5
   rm -rf broken.h5.part

@@ -87,7 +87,7 @@ small_inputs() {
   printf '#!/bin/sh\necho "run-dem: disk full" >&2\nexit 74\n' > tools/run-dem
   chmod +x tools/run-dem
   BIN=$PWD/tools exits 1 ensemble sets.tsv
-  # shellcheck disable=SC2154  # stderr is set by run
+  # shellcheck disable=SC2154  # stderr is set by call
   [[ $stderr == *"case: 3 rows did not finish (see case/sets.joblog); make again tries them"* ]] || show
   [[ $stderr == *"run-dem: disk full"* ]] || show
   exits 0 ensemble sets.tsv

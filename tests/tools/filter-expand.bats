@@ -158,7 +158,7 @@ stops_when_full() {
   [[ $(value rested.tsv contacts 2) -eq 1 && $(value rested.tsv grains 2) -le 4 ]] || show "$(cat rested.tsv)"
   refuses 1 filter-expand "the grains do not fill the container" --quiet packing.h5 bag.toml --set growth.rounds=10 -o out.h5
   exits 1 filter-expand --quiet packing.h5 bag.toml --set growth.rounds=1 --set growth.unbalanced_force=0.5 -o out.h5
-  # shellcheck disable=SC2154  # stderr is set by run
+  # shellcheck disable=SC2154  # stderr is set by call
   [[ $stderr == *"doubt: growth.unbalanced_force is 0.5, which is 50 %: states are recorded that are not at rest"* ]] || show
   # The requested overlap is more than is left at rest, and less than there was before.
   local round between
@@ -276,7 +276,7 @@ PYTHON
   contradicts 'yarn_tension: ends at 47.5 N, which is the strength of a yarn 1 mm wide' 'strength = "47.5 kN/m"'
   printf 'failure_strain = 0.16\nstrength = "9.5 kN/m"\nstiffness = "53 kN/m"\n' >> yarn.toml
   exits 0 run-dem --quiet --check bag.h5 loads/press.toml --set geotextile.0.curve=yarn.toml
-  # shellcheck disable=SC2154  # stderr is set by run
+  # shellcheck disable=SC2154  # stderr is set by call
   [[ $stderr != *"yarns of geotextile"* ]] || show "the curve is that of yarns so far apart"
   # The curve of yarns three times as far apart makes the fabric stronger than its file says. The remedy that is told helps.
   sed -i 's/9.5 kN/3.2 kN/' yarn.toml
@@ -292,7 +292,7 @@ PYTHON
 
 @test "tensions of yarns that no geotextile bears are doubted, as those of a metre of it are" {
   exits 0 run-dem --quiet --check bag.h5 press.toml
-  # shellcheck disable=SC2154  # stderr is set by run
+  # shellcheck disable=SC2154  # stderr is set by call
   [[ $stderr != *"yarns of geotextile"* && $stderr != *"has no effect"* ]] || show "these yarns are used, and bear what yarns do"
   exits 0 run-dem --quiet --check bag.h5 press.toml --set 'geotextile.0.yarn_tension=[8400,20600,47500]'
   [[ $stderr == *"doubt: yarns of geotextile 0 are some "*" mm apart and bear 4.75e+04 N at most, which is "*"a curve gives the tension of one yarn, in N"* ]] ||

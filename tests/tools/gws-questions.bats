@@ -176,7 +176,7 @@ TABLE
       [[ $output == *"$words"* ]] || show "wanted in the answer of gws-solve $arguments: $words"
       [[ $output != *nan* || $arguments == *--strength-fraction\ 1* ]] || show "no number in gws-solve $arguments"
     else
-      # shellcheck disable=SC2154  # stderr is set by run
+      # shellcheck disable=SC2154  # stderr is set by call
       [[ $(grep -vc ': doubt: ' <<<"$stderr") -eq 1 && $stderr == *"$words"* ]] || show "wanted in one line of gws-solve $arguments: $words"
     fi
     count=$((count + 1))

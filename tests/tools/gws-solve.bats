@@ -17,7 +17,7 @@ refuses() {
   local wanted=$1 verb=$2 message=$3
   shift 3
   exits "$wanted" gws-solve "$verb" "$@"
-  # shellcheck disable=SC2154  # stderr is set by run
+  # shellcheck disable=SC2154  # stderr is set by call
   [[ $stderr == "gws-solve $verb: $message" ]] || show "wanted: gws-solve $verb: $message"
   [[ -z $output ]] || show "wanted nothing on standard output"
 }

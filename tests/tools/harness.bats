@@ -108,7 +108,7 @@ fails() {
   printf '"""Returns it."""\nx = "# Of"  # value of x\n' > sound.py
   printf '# Sets it.\n# Of is a continuation.\nx = "y"  # m\n' > sound.toml
   exits 0 "$PYTHON" "$check" sound.h sound.py sound.toml
-  local file refused=(whole.h after.cpp whole.toml whole.py after.mk script.sh script.py sourced.bash docstring.py)
+  local file said refused=(whole.h after.cpp whole.toml whole.py after.mk script.sh script.py sourced.bash docstring.py)
   for opening in 'Of a sphere, m3.' 'Those of a chunk.' 'That of the next one.' 'What is left.' 'The same in m.' 'Whose it is.'; do
     printf 'int a;\n\n/// %s\n' "$opening" > whole.h
     printf 'int a = 0;  // %s\n' "$opening" > after.cpp
@@ -118,10 +118,11 @@ fails() {
     printf '# shellcheck shell=bash\n# %s\n' "$opening" > sourced.bash
     printf 'def x():\n    """%s"""\n' "$opening" > docstring.py
     exits 1 "$PYTHON" "$check" sound.h "${refused[@]}"
-    # shellcheck disable=SC2154  # stderr_lines is set by exits
-    [[ ${#stderr_lines[@]} -eq ${#refused[@]} ]] || show "wanted a line for each file"
+    # shellcheck disable=SC2154  # stderr is set by call
+    mapfile -t said <<< "$stderr"
+    [[ ${#said[@]} -eq ${#refused[@]} ]] || show "wanted a line for each file"
     for file in "${!refused[@]}"; do
-      [[ ${stderr_lines[file]} == "${refused[file]}:"*" opens with "*"begin with the subject: $opening" ]] || show "wanted ${refused[file]} and the opening"
+      [[ ${said[file]} == "${refused[file]}:"*" opens with "*"begin with the subject: $opening" ]] || show "wanted ${refused[file]} and the opening"
     done
   done
   printf '// Volumes of\n// grains. SPDX-License-Identifier: GPL-3.0-or-later\n' > glued.h

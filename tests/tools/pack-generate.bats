@@ -111,7 +111,7 @@ m, r = (x["value"][-1] if hasattr(x, "keys") else x[()] for x in (m, r)); print(
 @test "a cell and grains in different units, and a --coarsest in mm, are doubted" {
   { echo "##PERIODIC:: 46 46 92"; echo "0.01 0.01 0.01 0.003"; echo "0.03 0.03 0.04 0.004"; } > mixed.txt
   call pack-generate --import mixed.txt --as-is -o mixed.h5
-  # shellcheck disable=SC2154  # stderr is set by run
+  # shellcheck disable=SC2154  # stderr is set by call
   [[ $status -eq 0 && $stderr == *"doubt: the void ratio is "*"check that both have one unit of length"* ]] || show
   { echo "##PERIODIC:: 46 46 92"; echo "x [mm],y [mm],z [mm],r [mm]"; echo "10,10,10,3"; echo "30,30,40,4"; } > mm.csv
   { echo "##PERIODIC:: 0.046 0.046 0.092"; echo "0.01 0.01 0.01 0.003"; echo "0.03 0.03 0.04 0.004"; } > m.txt
@@ -208,7 +208,7 @@ m, r = (x["value"][-1] if hasattr(x, "keys") else x[()] for x in (m, r)); print(
 @test "columns by name, disks and what was left out; the text comes back" {
   printf 'id,x [mm],y [mm],z [mm],diameter [mm]\r\n7,1000,1000,50,1000\r\n8,3000,1000,50,500\r\n' > rods.csv
   exits 0 pack-generate --import rods.csv --as-is -o spheres.h5
-  # shellcheck disable=SC2154  # stderr is set by run
+  # shellcheck disable=SC2154  # stderr is set by call
   [[ $(without_doubts) == "pack-generate: rods.csv: columns left out: id; density and radius give the mass" ]] || show
   to-vtk --text spheres.h5 | diff <(printf '1 1 0.05 0.5\n3 1 0.05 0.25\n') -
   exits 0 pack-generate --import rods.csv --dimension 2 --cell 4,4 --as-is -o disks.h5

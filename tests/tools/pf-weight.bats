@@ -15,7 +15,7 @@ refuses() {
   local wanted=$1 verb=$2 message=$3
   shift 3
   exits "$wanted" pf-weight "$verb" "$@"
-  # shellcheck disable=SC2154  # stderr is set by run
+  # shellcheck disable=SC2154  # stderr is set by call
   [[ $stderr == "pf-weight $verb: $message" ]] || show "wanted: pf-weight $verb: $message"
   [[ -z $output ]] || show "wanted nothing on standard output"
 }

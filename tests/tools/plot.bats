@@ -32,7 +32,7 @@ setup() {
 
 @test "a run and its table give the same curves, test data lie beside them" {
   exits 0 plot stress-strain run.h5 --beside test.tsv -o run.svg
-  # shellcheck disable=SC2154  # stderr is set by run
+  # shellcheck disable=SC2154  # stderr is set by call
   [[ $stderr == "plot: test: has no column strain_volumetric; volumetric strain, contraction positive is without it" ]] || show
   grep -q '>axial strain (%)<' run.svg
   exits 0 plot stress-strain run.h5 -o alone.svg

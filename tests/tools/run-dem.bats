@@ -124,7 +124,7 @@ off() {
   homogenize --quiet packing.h5 -o fields.h5
   refuses 65 run-dem "fields.h5: holds fields, but packing or run is needed here" fields.h5 short.toml -o out.h5
   call bash -c 'run-dem --quiet - short.toml -o out.h5 < /dev/null'
-  # shellcheck disable=SC2154  # stderr is set by run
+  # shellcheck disable=SC2154  # stderr is set by call
   [[ $status -eq 65 && $stderr == "run-dem: standard input: empty"* && ! -e out.h5 ]] || show "empty standard input"
 }
 
