@@ -62,7 +62,8 @@ struct FemDem {
     t.optional_inputs(packings, "PACKING", "packings or runs to start the points from");
     t.optional_output(output, "file to write");
     t.option(mesh, "mesh", "FILE", "mesh of Gmsh, ASCII 2.2 or 4.1, in place of the scenario's rectangle");
-    t.option(overrides, "set", "KEY=VALUE", "replace one value of the scenario, as in time.duration=1");
+    t.option(overrides, "set", "KEY=VALUE",
+             "replace a value of the scenario, as time.duration=1; the last for a key counts");
     t.instead_of_output(check, "check", "check the input and say how long the run will take; write nothing");
     t.option(take, take_parameter);
     t.option(table, "table", "NAME", "print a table of a file of fem-dem as tab-separated text, and stop");

@@ -44,7 +44,8 @@ struct FilterExpand {
     table.input(plan, "PLAN", "container, geotextile, materials and growth, or surroundings (TOML)");
     table.output(output, "packing with geotextile to write");
     table.also_output(history, "history", "write the measurements of each round as tab-separated text");
-    table.option(overrides, "set", "KEY=VALUE", "replace one value of the plan, as in growth.factor=1.0002");
+    table.option(overrides, "set", "KEY=VALUE",
+                 "replace a value of the plan, as growth.factor=1.0002; the last for a key counts");
     table.resume(interval);
     table.keys("a plan of filter-expand", &packing::plan_keys);
     table.threads();

@@ -92,7 +92,7 @@ struct Identify {
     t.example("gws-solve identify PE.tsv PP.tsv 3PP.tsv --toml > soil.toml", "soil for respond; bag.h5 works too");
     series.declare(t);
     t.option(soil, "soil", "NAME|FILE", "constants of the other lines, and to compare with");
-    t.option(assignments, "set", "KEY=VALUE", "replace a constant, as failure_line.n=0.08");
+    t.option(assignments, "set", "KEY=VALUE", "replace a constant, as failure_line.n=0.08; the last for a key counts");
     t.option(table, "table", "NAME", "table that --tsv prints: constants, increments or a line (near_failure_line)");
     t.flag(toml, "toml", "print the identified soil as a TOML file");
     output.declare(t);

@@ -30,8 +30,7 @@ constexpr Parameter radius_parameter{"mean_radius", "m", 0, 1e3, true, "mean rad
 constexpr Parameter cloud_parameter{
     "cloud_void_ratio", "1", 1, 1e3, false, "void ratio of the initial cloud", "grains placed at random jam below it"};
 constexpr Parameter aspect_parameter{"aspect", "1", 0.1, 10, false, "height of the cell over its width"};
-constexpr Parameter dimension_parameter{"dimension", "1",   2,
-                                        3,           false, "3: spheres; 2: disks, whose stress scales with E r"};
+constexpr Parameter dimension_parameter{"dimension", "1", 2, 3, false, "2: disks, whose stress scales with E r"};
 constexpr Parameter coarsest_parameter{"coarsest", "m", 0, 1e3, true, "coarser grains of the grading are left out"};
 constexpr Parameter density_parameter{
     "density", "kg/m3", 0, 1e12, true, "density of the grains, scaling included [2650e3, or a packing file's own]"};
@@ -44,8 +43,7 @@ struct PackGenerate {
   std::string grading = "toyoura", cell;
   std::int64_t grains = 1000, dimension = 3;
   std::optional<double> void_ratio, coarsest, mean_radius, max_rate, density;
-  double pressure = 1e3, cloud_void_ratio = 2.5, aspect = 2, tolerance = 1e-3;
-  double interval = 300;
+  double pressure = 1e3, cloud_void_ratio = 2.5, aspect = 2, tolerance = 1e-3, interval = 300;
   bool as_is = false;
 
   void options(tool::Table& table) {
@@ -76,6 +74,9 @@ struct PackGenerate {
     table.refuse(
         {"void-ratio", "pressure", "max-rate", "tolerance", "checkpoint-every"}, [this] { return as_is; },
         "beside --as-is");
+    table.refuse(
+        {"dimension"}, [this] { return dimension == 3 && std::ranges::count(cell, ',') == 1; },
+        "beside a --cell of disks");
     table.resume(interval);
     table.seed();
     table.keys("a material file of pack-generate", &packing::Contacts::keys);

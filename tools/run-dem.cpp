@@ -47,7 +47,8 @@ struct RunDem {
     table.input(packing, "PACKING", "packing or run to start from, - for standard input");
     table.input(scenario, "SCENARIO", "scenario (TOML)");
     table.output(output, "run to write");
-    table.option(overrides, "set", "KEY=VALUE", "replace one value of the scenario, as in numerics.damping=0.3");
+    table.option(overrides, "set", "KEY=VALUE",
+                 "replace a value of the scenario, as numerics.damping=0.3; the last for a key counts");
     table.option(perturbation, perturb);
     table.instead_of_output(check, "check", "check the input and say how long the run will take; write nothing");
     table.resume(interval);

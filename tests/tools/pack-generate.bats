@@ -154,6 +154,7 @@ m, r = (x["value"][-1] if hasattr(x, "keys") else x[()] for x in (m, r)); print(
   refused 64 "--cell: packing.h5 has a cell of its own" --import packing.h5 --cell 1,1,1 -o out.h5
   refused 64 "are of a new packing" --import packing.h5 --dimension 2 -o out.h5
   refused 64 "give three positive lengths, of disks two, in m" --import open.txt --cell 4 -o out.h5
+  refused 64 "--dimension has no effect beside a --cell of disks: leave it out" --import open.txt --cell 4,4 --dimension 3 -o out.h5
   refused 64 "give three positive lengths, of disks two, in m" --import open.txt --cell 4,nan,4 -o out.h5
 }
 

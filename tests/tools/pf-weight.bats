@@ -246,6 +246,8 @@ PY
   exits 0 pf-weight assimilate "${try[@]}" --until 200
   [[ ${lines[1]} == $'0\t1\t200\t5\t4.5' && ${lines[2]} == $'1\t1\t200\t4.4\t4.5' && ${#lines[@]} -eq 3 ]] || show
   refuses 65 assimilate "peak.tsv: 2 rows where --greatest compares one value of a run: keep the row of its test, or end at it with --until" "${try[@]}"
+  refuses 64 assimilate "--station has no effect beside --greatest without --until, where no station counts: leave it out" \
+    "${try[@]}" --station ratio
   refuses 64 assimilate "--at has no effect beside --greatest, which compares at no station: leave it out" "${try[@]}" --until 200 --at 2
   # Two runs of one id are told: by the rows where nothing else tells them apart, else by a time, step or strain that falls.
   [[ $stderr != *"several runs"* ]] || show

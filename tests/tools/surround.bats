@@ -94,11 +94,13 @@ setup() {
   [[ ! -e out.h5 ]]
 }
 
-@test "a pressure of some pascals without a unit is doubted before the soil is compacted" {
+@test "a pressure of some pascals without a unit, and a loose tolerance, are doubted before the soil is compacted" {
   # The time step is refused before the first step.
-  call filter-expand --quiet bag.h5 around.toml "${around[@]}" --set surround.pressure=10 --set numerics.time_step=1 -o out.h5
+  call filter-expand --quiet bag.h5 around.toml "${around[@]}" --set surround.pressure=10 --set surround.unbalanced_force=0.2 \
+    --set numerics.time_step=1 -o out.h5
   # shellcheck disable=SC2154  # stderr is set by call
   [[ $status -ne 0 && $stderr == *"doubt: surround.pressure is 10 without a unit, which is 10 Pa: if 10 kPa is meant, write \"10 kPa\""* ]] || show
+  [[ $stderr == *"doubt: surround.unbalanced_force is 0.2, which is 20 %: "* ]] || show
   call filter-expand --quiet bag.h5 around.toml "${around[@]}" --set 'surround.pressure="10 Pa"' --set numerics.time_step=1 -o out.h5
   [[ $status -ne 0 && $stderr != *"without a unit"* ]] || show
 }

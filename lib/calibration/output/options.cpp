@@ -60,6 +60,9 @@ void ComparisonOptions::declare(tool::Table& t) {
   t.option(stations, "at", "STATION", "also give densities and covariances here");
   t.refuse(
       {"at"}, [this] { return greatest; }, "beside --greatest, which compares at no station");
+  t.refuse(
+      {"station"}, [this] { return greatest && until.empty(); },
+      "beside --greatest without --until, where no station counts");
 }
 
 void ComparisonOptions::check(std::vector<std::string>& mistakes) const {
