@@ -385,21 +385,27 @@ programs: $(TOOLS) $(TEST_PROGRAMS)
 .SECONDARY:
 
 # ---- Dependencies ---------------------------------------------------------------------------------------------------
-DEBIAN := g++ make pkg-config libeigen3-dev libcgal-dev libhdf5-dev libcli11-dev libtomlplusplus-dev libfmt-dev \
-  libboost-math-dev libgsl-dev libssl-dev libgtest-dev libbenchmark-dev libvtk9-dev python3-vtk9 python3-h5py \
-  python3-numpy python3-matplotlib python3-jinja2 python3-pytest python3-yaml hdf5-tools bats parallel clang clang-format clang-tidy libomp-dev shellcheck gcovr man-db groff-base locales
+# The first list compiles the library, so that a check compiles it while the packages of the second are unpacked.
+DEBIAN_COMPILE := g++ make pkg-config libeigen3-dev libcgal-dev libhdf5-dev libcli11-dev libtomlplusplus-dev libfmt-dev libboost-math-dev \
+  libgsl-dev libssl-dev clang libomp-dev
+DEBIAN := $(DEBIAN_COMPILE) libgtest-dev libbenchmark-dev libvtk9-dev python3-vtk9 python3-h5py \
+  python3-numpy python3-matplotlib python3-jinja2 python3-pytest python3-yaml hdf5-tools bats parallel clang-format clang-tidy shellcheck gcovr man-db groff-base locales
 
-.PHONY: deps
+# $(call lacking,PACKAGES) prints those that are not installed, and $(call install,PACKAGES) installs them.
+lacking = for p in $(1); do dpkg-query -W -f '$${db:Status-Status}' $$p 2>/dev/null | grep -qx installed || echo $$p; done | xargs
+install = lacking=$$($(call lacking,$(1))); \
+  [ -z "$$lacking" ] && exit 0; \
+  line="apt-get install -y --no-install-recommends"; \
+  if [ "$$(id -u)" = 0 ]; then sudo=; \
+  elif command -v sudo >/dev/null && { [ -t 0 ] || sudo -n true 2>/dev/null; }; then sudo=sudo; \
+  else echo "make deps: packages are missing and you are not root; run: sudo $$line $$($(call lacking,$(DEBIAN)))" >&2; exit 1; fi; \
+  echo "make deps: $$line $$lacking"; \
+  $$sudo apt-get update -qq && DEBIAN_FRONTEND=noninteractive $$sudo $$line $$lacking
+.PHONY: deps deps-compile
 deps: ## install the Debian packages that are missing (as root or through sudo; else print the line to run)
-	@missing=$$(for p in $(DEBIAN); do \
-	    dpkg-query -W -f '$${db:Status-Status}' $$p 2>/dev/null | grep -qx installed || echo $$p; done | xargs); \
-	[ -z "$$missing" ] && exit 0; \
-	line="apt-get install -y --no-install-recommends $$missing"; \
-	if [ "$$(id -u)" = 0 ]; then sudo=; \
-	elif command -v sudo >/dev/null && { [ -t 0 ] || sudo -n true 2>/dev/null; }; then sudo=sudo; \
-	else echo "make deps: packages are missing and you are not root; run: sudo $$line" >&2; exit 1; fi; \
-	echo "make deps: $$line"; \
-	$$sudo apt-get update -qq && DEBIAN_FRONTEND=noninteractive $$sudo $$line
+	@$(call install,$(DEBIAN))
+deps-compile:
+	@$(call install,$(DEBIAN_COMPILE))
 
 # ---- Checks ---------------------------------------------------------------------------------------------------------
 # A sub-make takes part in the job server of 'make -jN' and starts one of its own otherwise.
@@ -408,7 +414,8 @@ AGAIN = $(MAKE) --no-print-directory $(if $(findstring --jobserver,$(MAKEFLAGS))
 # A single test may take SOILWEAVE_TEST_LIMIT seconds (600). Then it is stopped and named.
 .PHONY: check
 check: ## format, lint, unit, property and benchmark tests, sanitizers, tool tests; installs what is missing first
-	@$(AGAIN) deps
+	@$(AGAIN) deps-compile
+	@$(AGAIN) NO_VTK=1 deps $(B)/libsoilweave.a
 	@mkdir -p $(dir $(SKIPPED)) && : > $(SKIPPED)
 	@$(AGAIN) test-bag lint all $(filter-out %/unit,$(TEST_PROGRAMS)) build/sanitize/tests/unit fused format-check test-man
 	@$(AGAIN) warnings
