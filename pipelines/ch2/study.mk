@@ -22,8 +22,9 @@ C2_STRAIN_peak := 10
 # Variances of the observation error of the radial strain (%), the stress ratio and the volumetric strain (%). The thesis
 # has 0.1 for all. An error of 0.3 is 8 % of the stress ratio, so that the strains decide alone. A variance of 0.025 is an error of 4 %.
 C2_ERROR ?= 0.1,0.025,0.1
-# Variance of the greatest stress ratio, if there is no curve: the thesis's.
-C2_ERROR_peak := 0.1
+C2_ERROR_thesis := 0.1
+# Variance of the greatest stress ratio, if there is no curve.
+C2_ERROR_peak := $(C2_ERROR_thesis)
 # Strains (%) at which densities are drawn, as far as the runs go.
 C2_STATIONS := 0.5 1 3 6 8.5
 # Runs of the identified set, and of the thesis's where it has one, that differ by 1e-6 of a radius at the start.
@@ -102,9 +103,16 @@ $(C2O)/%/check_near.tsv $(C2O)/%/check_whole.tsv $(C2O)/%/check_curves.tsv: $(C2
 	@$(foreach of,whole:runs curves:curves,$(call c2_check,$(@D)) $(lastword $(subst :, ,$(of))) \
 	  $(call whole,$(@D)/check_$(firstword $(subst :, ,$(of))).tsv) || exit;)
 
+# Means of the thesis's sets under the thesis's observation error, by the runs of the first round.
+$(C2O)/%/thesis_error.tsv: $(C2O)/%/posterior.h5 $(BIN)/pf-weight
+	@$(BIN)/pf-weight assimilate $(@D)/round1_sets.h5 $(c2_curve) --prior $(c2_prior) --runs "$$(echo $(@D)/*kPa)/runs/{id:06}/series.h5" \
+	  --where stage=1 --station strain_axial --observe strain_radial=strain_xx,strain_yy --observe stress_ratio --observe strain_volumetric \
+	  --until $(C2_STRAIN) --variance $(C2_ERROR_thesis) --quiet --tsv --table steps $(call whole,$@)
+
 C2_CHECKED := $(foreach c,$(C2_CASES),$(if $(wildcard data/laboratory/toyoura_drained_triaxial_$(word 3,$(subst _, ,$(c)))MPa.tsv),$(c)))
 C2_TABLES := $(foreach c,$(C2_CASES),$(foreach r,$(C2_ROUNDS),$(foreach t,steps density,$(C2O)/$(c)/round$(r)_$(t).tsv))) \
-  $(foreach t,near whole curves,$(C2_CHECKED:%=$(C2O)/%/check_$(t).tsv))
+  $(foreach t,near whole curves,$(C2_CHECKED:%=$(C2O)/%/check_$(t).tsv)) \
+  $(if $(filter thesis,$(PROFILE)),$(C2_CHECKED:%=$(C2O)/%/thesis_error.tsv))
 C2_PY := $(wildcard $(C2)/*.py $(C2)/*.tsv $(C2)/words.toml)
 $(C2O)/page.html: $(C2)/study.py $(C2_PY) $(STUDY) $(C2_TABLES) $(C2O)/cases $(wildcard $(C2)/kept/*.tsv $(C2)/kept/*/*.tsv)
 	@$(STUDY_PY) $< $(C2O) --profile $(PROFILE) --cases $(C2_CASES) --samples $(C2_SAMPLES) --until $(C2_STRAIN) --error $(C2_ERROR)

@@ -37,6 +37,21 @@ class Case:
         """Returns the weighted mean of a parameter over the sets of all rounds, at the last station."""
         return self.steps[-1](name, unit)[-1]
 
+    def has_thesis_error(self):
+        """Returns whether the first round was weighed with the thesis's observation error."""
+        return (self.folder.path / "thesis_error.tsv").exists()
+
+    def at_peak(self, name, unit):
+        """Returns the weighted mean of a parameter over the first round with the thesis's observation error, up to the laboratory's greatest
+        stress ratio. Raises NotMade where these weights were not computed: only full-size runs have the thesis's sets.
+        """
+        self.demand_curve()
+        if not self.has_thesis_error():
+            raise NotMade("the thesis's sets are those of full-size runs")
+        laboratory, means = Table.read(LABORATORY.format(self.pressure)), self.folder("thesis_error")
+        peak = laboratory("strain_axial", "%")[laboratory("stress_ratio", "1").argmax()]
+        return means(name, unit)[means("strain_axial", "%") <= peak * (1 + 1e-9)][-1]
+
     def thesis(self):
         """Returns the set that the thesis identified for this case, as a table of one row; None where it has none."""
         path = pathlib.Path(f"data/contacts/toyoura_{self.law}_{self.pressure}MPa.tsv")
@@ -85,6 +100,8 @@ OF_A_CASE = [
     ("size_first", "1", lambda c: c.steps[0]["effective_size"][-1]),
     ("size_last", "1", lambda c: c.steps[-1]["effective_size"][-1]),
     ("settling", "1", settling),
+    ("log_modulus_at_peak", "1", lambda c: numpy.log10(c.at_peak("young_modulus", "Pa"))),
+    ("friction_angle_at_peak", "deg", lambda c: c.at_peak("friction_angle", "deg")),
     ("log_modulus", "1", lambda c: numpy.log10(c.identified("young_modulus", "Pa"))),
     *((name, unit, lambda c, name=name, unit=unit: (c.identified(name, unit), c.identified(f"{name}_deviation", unit)))
       for name, unit in PARAMETERS.items()),
@@ -151,7 +168,12 @@ def draw_means(law, number):
                  for case, colour in zip(own, figures.SERIES, strict=False) for r, table in enumerate(case.steps)]
         means += [Drawn(f"{case.grains} grains, full size", Series(kept[case.name].steps[-1]), figures.INK, ":")
                   for case in own if case.name in kept]
-        study.curves(f"means_{law}", *(panel("strain_axial", name, means, legend=name == "effective_size",
+        means += [Drawn(f"{case.grains} grains, the thesis's sets and error", Series(case.folder("thesis_error")), figures.ORANGE, "-.")
+                  for case in (kept.get(case.name, case) for case in own) if case.has_thesis_error()]
+        known, strains = own[0].thesis(), [0, max(table("strain_axial", "%")[-1] for table in own[0].steps)]
+        published = [Drawn("", Series({"strain_axial": strains} | {name: [known(name, quantity(name).unit)[0]] * 2 for name in PARAMETERS}),
+                           figures.GREEN, ":")] if known else []
+        study.curves(f"means_{law}", *(panel("strain_axial", name, means + (published if name in PARAMETERS else []), legend=name == "effective_size",
                                              yscale="log" if name in ("young_modulus", "effective_size") else "linear")
                                        for name in (*PARAMETERS, "effective_size")), columns=3, height=6)
         return None

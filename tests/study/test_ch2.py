@@ -50,6 +50,8 @@ def write_case(folder, name, rounds, scale=1.0):
         write(folder / name / f"round{r}_density.tsv", **{head: (unit, at)}, parameter=("1", k), value=("its own", x),
               density=("1 per its own", [0.1, 0.3, 0.1] * (len(grid) // 3)))
         (folder / name / f"round{r}_posterior.txt").write_text("at the end\n")
+        if curve and r == 1:
+            write(folder / name / "thesis_error.tsv", **station, **columns, effective_size=("1", 2))
     if curve:
         ids, misfit = [0, 1, 2, 10, 11], [0.02, 0.03, 0.04, 0.05, 0.06]
         for table, factor in (("near", 1), ("whole", 2)):
@@ -103,6 +105,15 @@ def test_misfits_are_means_over_the_twins_that_went_through(out):
     assert measured["size_first_hm_1000_0.2"].value == 1 and measured["size_last_hm_1000_0.2"].value == 2
     assert measured["log_modulus_hm_1000_0.2"].value == pytest.approx(numpy.log10(4e9), rel=1e-5)
     assert (measured["friction_angle_hm_1000_0.2"].value, measured["friction_angle_hm_1000_0.2"].unit) == (30.3, "deg")
+
+
+def test_the_thesis_s_weights_count_up_to_the_laboratory_s_greatest_stress_ratio(out):
+    measures = build(out, "hm_1000_0.2").measures
+    # The ratio is greatest at 5.4 % of strain; the station before it is at 5 %.
+    assert measures["friction_angle_at_peak_hm_1000_0.2"].value == 30.1
+    assert measures["log_modulus_at_peak_hm_1000_0.2"].value == pytest.approx(numpy.log10(4e9))
+    (out / "hm_1000_0.2/thesis_error.tsv").unlink()
+    assert build(out, "hm_1000_0.2").measures["friction_angle_at_peak_hm_1000_0.2"].reason == "the thesis's sets are those of full-size runs"
 
 
 def test_what_a_case_or_a_set_lacks_has_its_reason_and_no_number(out):
@@ -170,7 +181,8 @@ def test_kept_cases_are_shown_beside_those_of_a_quick_run(out, monkeypatch):
     shown = []
     monkeypatch.setattr(Undrawn, "curves", lambda self, name, *panels, **_: shown.extend(run.name for panel in panels for run in panel.runs))
     study = build(out, "hm_1000_0.2")
-    assert "identified" in study._drawings and {"1000 grains, full size", "identified at full size", "Hertz–Mindlin"} <= set(shown)
+    named = {"1000 grains, full size", "1000 grains, the thesis's sets and error", "identified at full size", "Hertz–Mindlin"}
+    assert "identified" in study._drawings and named <= set(shown)
 
 
 def test_rates_of_loading_are_compared_set_by_set(out):
