@@ -55,7 +55,8 @@ void CaseOptions::declare(tool::Table& t) {
   t.option(width, named(bag_extent, "width", "width of the bag, B"));
   t.option(height, named(bag_extent, "height", "height of the bag after compaction, H"));
   t.option(soil, "soil", "NAME|FILE", "constants: of data/soils, or a TOML; else toyoura-gws");
-  t.option(assignments, "set", "KEY=VALUE", "replace a constant, as near_failure_line.kappa=1.4; the last for a key counts");
+  t.option(assignments, "set", "KEY=VALUE",
+           "replace a constant, as near_failure_line.kappa=1.4; the last for a key counts");
   t.option(lateral, lateral_range);
   t.option(history, "lateral-history", "FILE", "TSV with surcharge [Pa], lateral_stress [Pa]");
   t.option(initial_settlement, compacted_by);
