@@ -57,7 +57,7 @@ class Watch : public testing::EmptyTestEventListener {
 
 // Hides two leaks of other libraries: memory that the OpenMP runtime keeps for its threads, and memory that HDF5 loses
 // when it reads a damaged file. It also hides leaks within a function that HDF5 calls (store_read.cpp has one).
-extern "C" const char* __lsan_default_suppressions() { return "leak:libomp.so\nleak:libhdf5\n"; }
+extern "C" const char* __lsan_default_suppressions() { return "leak:libomp.so\nleak:libhdf5\nleak:H5FL_\n"; }
 extern "C" const char* __lsan_default_options() { return "print_suppressions=0"; }
 
 int main(int argc, char** argv) {
