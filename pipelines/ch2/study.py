@@ -181,10 +181,11 @@ def draw_means(law, number):
 
 
 def draw_pressure(study, cases, kept):
-    """Draws Fig. 2.3: identified means over confining pressure, of kept runs where there are some."""
-    means, cases = [], list(kept.values()) or cases
+    """Draws Fig. 2.3: identified means over confining pressure, of kept runs where they have enough pressures."""
+    means = []
     for law, colour in zip(LAWS, figures.SERIES, strict=False):
-        own = sorted((case for case in cases if case.law == law and case.grains == 1000), key=lambda case: float(case.pressure))
+        own = max((sorted((case for case in of if case.law == law and case.grains == 1000), key=lambda case: float(case.pressure))
+                   for of in (kept.values(), cases)), key=len)
         columns = {name: [case.identified(name, quantity(name).unit) for case in own] for name in PARAMETERS}
         if len(own) > 2:
             means.append(Drawn(LAWS[law], Series(columns | {"confining_pressure": [float(case.pressure) for case in own]}), colour, "o-"))

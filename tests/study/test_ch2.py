@@ -210,6 +210,21 @@ def test_the_appendix_tells_how_the_kept_response_depends_on_the_rate():
     assert max(volumes) < 0.06  # %, "changes little"
 
 
+def test_the_appendix_tells_where_the_thesis_s_error_gives_the_thesis_s_set():
+    words, case = (chapter.HERE / "words.toml").read_text(), Case(chapter.HERE / "kept", "hm_1000_0.2", 1)
+    published = case.thesis()("friction_angle", "deg")[0]
+    strain, friction = case.folder("thesis_error")("strain_axial", "%"), case.folder("thesis_error")("friction_angle", "deg")
+    near = strain[(abs(friction - published) < 0.1) & (strain > 3)]
+    last = friction[-1]
+    assert f"from {near[0]:.1f} to {near[-1]:.1f} % of axial strain" in words and numpy.diff(near).max() < 0.1
+    # The study's error: the thesis's set as far as 5.9 %, the other one from 6.2 %.
+    strain, friction = case.steps[0]("strain_axial", "%"), case.steps[0]("friction_angle", "deg")
+    other = case.steps[0]("young_modulus", "GPa")[-1], friction[-1]
+    assert abs(friction[(strain > 3) & (strain < 5.9)] - published).max() < 0.1 and abs(friction[strain > 6.2] - other[1]).max() < 0.1
+    assert 0.05 < (last - published) / (other[1] - published) < 0.15  # "a tenth of the weight"
+    assert f"{other[0]:.2f} GPa" in words and f"{other[1]:.1f} degrees" in words
+
+
 def test_inputs_are_what_runs_and_filter_read(out, tmp_path):
     failure = tmp_path / "failure.tsv"
     write(failure, confining_pressure=("kPa", [200, 1000]), obliquity_at_failure=("1", [1.5, 1.2]))
