@@ -56,9 +56,8 @@ class Watch : public testing::EmptyTestEventListener {
 }  // namespace
 
 // Hides two leaks of other libraries: memory that the OpenMP runtime keeps for its threads, and memory that HDF5 loses
-// when it reads a damaged file (libhdf5, or H5FL_ where the tests hold its archive). It also hides leaks within a
-// function that HDF5 calls (store_read.cpp has one).
-extern "C" const char* __lsan_default_suppressions() { return "leak:libomp.so\nleak:libhdf5\nleak:H5FL_\n"; }
+// when it reads a damaged file. It also hides leaks within a function that HDF5 calls (store_read.cpp has one).
+extern "C" const char* __lsan_default_suppressions() { return "leak:libomp.so\nleak:libhdf5\n"; }
 extern "C" const char* __lsan_default_options() { return "print_suppressions=0"; }
 
 int main(int argc, char** argv) {
