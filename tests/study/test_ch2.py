@@ -181,7 +181,7 @@ def test_kept_cases_are_shown_beside_those_of_a_quick_run(out, monkeypatch):
     shown = []
     monkeypatch.setattr(Undrawn, "curves", lambda self, name, *panels, **_: shown.extend(run.name for panel in panels for run in panel.runs))
     study = build(out, "hm_1000_0.2")
-    named = {"1000 grains, full size", "1000 grains, the thesis's sets and error", "identified at full size", "Hertz–Mindlin"}
+    named = {"1000 grains, full size", "thesis's error", "identified at full size", "Hertz–Mindlin"}
     assert "identified" in study._drawings and named <= set(shown)
 
 
