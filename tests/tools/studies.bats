@@ -19,7 +19,7 @@ while (($#)); do
 done
 END
   chmod +x "$tools/run-dem"
-  for tool in pack-generate filter-expand homogenize fabric gws-solve to-vtk; do ln -s run-dem "$tools/$tool"; done
+  for tool in pack-generate filter-expand homogenize fabric gws-solve fem-dem to-vtk; do ln -s run-dem "$tools/$tool"; done
 }
 
 # makes FILES ARGUMENTS...: demands that make with these arguments makes these files, of RUNS and of what they are made from, and no others.
@@ -51,4 +51,11 @@ changes() {
 @test "another number of threads makes no run anew" {
   makes "$ALL"
   makes "" C3_THREADS=2 C4_THREADS=2
+}
+
+@test "each run of two scales has a forecast of its own, those of one mesh and speed too" {
+  local out=$BATS_TEST_TMPDIR/out runs=(pullout_8_0.5 swinging_8_0.5 shape_8_0.5) run
+  runs=("${runs[@]/#/$out/ch6/}")
+  exits 0 study_rules BIN="$BATS_TEST_TMPDIR/bin" OUT="$out" "${runs[@]/%/.check}"
+  for run in "${runs[@]}"; do [[ -e $run.check ]] || show "no $run.check"; done
 }
