@@ -57,7 +57,7 @@ system = $(patsubst -I%,-isystem %,$(1))
 
 # The first use of a flag of the packages asks pkg-config and keeps the answer: each object and each program has these flags.
 PACKAGE_CPPFLAGS = $(eval PACKAGE_CPPFLAGS := $$(call system,$$(shell pkg-config --cflags $$(PACKAGES) 2>/dev/null)))$(PACKAGE_CPPFLAGS)
-# HDF5's shared library brings thirty others, most of them curl's, whose loading takes half of the time in which a tool starts. Where its
+# HDF5's shared library brings some thirty others, most of them curl's, whose loading takes half of the time in which a tool starts. Where its
 # archive links without them, the tools hold what they use of it. The sanitizers' lists of known leaks name the shared library.
 HDF5_ARCHIVE := -Wl,-Bstatic -lhdf5 -Wl,-Bdynamic -lsz -lz -ldl
 hdf5_links = $(shell echo 'extern "C" int H5open(); int main() { return H5open(); }' | $(CXX) -x c++ - -x none \

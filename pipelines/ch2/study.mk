@@ -103,7 +103,8 @@ $(C2O)/%/check_near.tsv $(C2O)/%/check_whole.tsv $(C2O)/%/check_curves.tsv: $(C2
 	@$(foreach of,whole:runs curves:curves,$(call c2_check,$(@D)) $(lastword $(subst :, ,$(of))) \
 	  $(call whole,$(@D)/check_$(firstword $(subst :, ,$(of))).tsv) || exit;)
 
-# Means of the thesis's sets under the thesis's observation error, by the runs of the first round.
+# Means of the thesis's sets under the thesis's observation error, by the runs of the first round. Fewer samples, or another prior, would not
+# be the thesis's sets, so that only full-size runs with as many samples make this table.
 $(C2O)/%/thesis_error.tsv: $(C2O)/%/posterior.h5 $(BIN)/pf-weight
 	@$(BIN)/pf-weight assimilate $(@D)/round1_sets.h5 $(c2_curve) --prior $(c2_prior) --runs "$$(echo $(@D)/*kPa)/runs/{id:06}/series.h5" \
 	  --where stage=1 --station strain_axial --observe strain_radial=strain_xx,strain_yy --observe stress_ratio --observe strain_volumetric \
@@ -112,7 +113,7 @@ $(C2O)/%/thesis_error.tsv: $(C2O)/%/posterior.h5 $(BIN)/pf-weight
 C2_CHECKED := $(foreach c,$(C2_CASES),$(if $(wildcard data/laboratory/toyoura_drained_triaxial_$(word 3,$(subst _, ,$(c)))MPa.tsv),$(c)))
 C2_TABLES := $(foreach c,$(C2_CASES),$(foreach r,$(C2_ROUNDS),$(foreach t,steps density,$(C2O)/$(c)/round$(r)_$(t).tsv))) \
   $(foreach t,near whole curves,$(C2_CHECKED:%=$(C2O)/%/check_$(t).tsv)) \
-  $(if $(filter thesis,$(PROFILE)),$(C2_CHECKED:%=$(C2O)/%/thesis_error.tsv))
+  $(if $(filter thesis-$(firstword $(C2_SAMPLES_thesis)),$(PROFILE)-$(firstword $(C2_SAMPLES))),$(C2_CHECKED:%=$(C2O)/%/thesis_error.tsv))
 C2_PY := $(wildcard $(C2)/*.py $(C2)/*.tsv $(C2)/words.toml)
 $(C2O)/page.html: $(C2)/study.py $(C2_PY) $(STUDY) $(C2_TABLES) $(C2O)/cases $(wildcard $(C2)/kept/*.tsv $(C2)/kept/*/*.tsv)
 	@$(STUDY_PY) $< $(C2O) --profile $(PROFILE) --cases $(C2_CASES) --samples $(C2_SAMPLES) --until $(C2_STRAIN) --error $(C2_ERROR)

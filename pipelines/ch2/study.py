@@ -168,11 +168,11 @@ def draw_means(law, number):
                  for case, colour in zip(own, figures.SERIES, strict=False) for r, table in enumerate(case.steps)]
         means += [Drawn(f"{case.grains} grains, full size", Series(kept[case.name].steps[-1]), figures.INK, ":")
                   for case in own if case.name in kept]
-        means += [Drawn("thesis's error", Series(case.folder("thesis_error")), figures.ORANGE, "-.")
+        means += [Drawn("thesis's error", Series(case.folder("thesis_error")), figures.PURPLE, "-.")
                   for case in (kept.get(case.name, case) for case in own) if case.has_thesis_error()]
         known, strains = own[0].thesis(), [0, max(table("strain_axial", "%")[-1] for table in own[0].steps)]
         published = [Drawn("", Series({"strain_axial": strains} | {name: [known(name, quantity(name).unit)[0]] * 2 for name in PARAMETERS}),
-                           figures.GREEN, ":")] if known else []
+                           figures.GREY, ":")] if known else []
         study.curves(f"means_{law}", *(panel("strain_axial", name, means + (published if name in PARAMETERS else []), legend=name == "effective_size",
                                              yscale="log" if name in ("young_modulus", "effective_size") else "linear")
                                        for name in (*PARAMETERS, "effective_size")), columns=3, height=6)
