@@ -59,3 +59,15 @@ changes() {
   exits 0 study_rules BIN="$BATS_TEST_TMPDIR/bin" OUT="$out" "${runs[@]/%/.check}"
   for run in "${runs[@]}"; do [[ -e $run.check ]] || show "no $run.check"; done
 }
+
+@test "sets are weighed as in the thesis where they are the thesis's: its prior and as many samples" {
+  local bin=$BATS_TEST_TMPDIR/bin out=$BATS_TEST_TMPDIR/out
+  ln -s run-dem "$bin/pf-weight"
+  ln -s run-dem "$bin/plot"
+  exits 0 study_rules -n BIN="$bin" OUT="$out" C2_CASES=hm_1000_0.2 PROFILE=thesis ch2
+  [[ $output == *"/hm_1000_0.2/thesis_error.tsv"* ]] || show
+  exits 0 study_rules -n BIN="$bin" OUT="$out" C2_CASES=hm_1000_0.2 PROFILE=thesis C2_SAMPLES='18 4' ch2
+  [[ $output == *hm_1000_0.2* && $output != *thesis_error.tsv* ]] || show "other sets are weighed as the thesis's"
+  exits 0 study_rules -n BIN="$bin" OUT="$out" C2_CASES=hm_1000_0.2 PROFILE=quick ch2
+  [[ $output == *hm_1000_0.2* && $output != *thesis_error.tsv* ]] || show "the quick sets are weighed as the thesis's"
+}
