@@ -9,6 +9,8 @@ C2O := $(OUT)/ch2
 C2_CASES_quick := hm_1000_0.2 cl_1000_0.2
 C2_CASES_thesis := $(foreach n,1000 2000 5000,hm_$(n)_0.2 cl_$(n)_0.2) $(foreach p,0.5 1 2 4 8,hm_1000_$(p) cl_1000_$(p))
 C2_CASES ?= $(C2_CASES_$(PROFILE))
+is_case = $(and $(filter 3,$(words $(subst _, ,$(1)))),$(filter hm cl,$(word 1,$(subst _, ,$(1)))))
+$(foreach c,$(C2_CASES) $(C2_CASES_thesis),$(if $(call is_case,$c),,$(error C2_CASES: $c is no case; write LAW_GRAINS_PRESSURE, as hm_1000_0.2 or cl_5000_0.2)))
 # Sets of each round, and the axial strain (%) up to which runs go and are compared.
 C2_SAMPLES_quick := 32 24
 # The thesis's 2000 sets, then further rounds. Each round narrows the posterior more than additional sets in the first round.

@@ -71,3 +71,12 @@ changes() {
   exits 0 study_rules -n BIN="$bin" OUT="$out" C2_CASES=hm_1000_0.2 PROFILE=quick ch2
   [[ $output == *hm_1000_0.2* && $output != *thesis_error.tsv* ]] || show "the quick sets are weighed as the thesis's"
 }
+
+@test "a case of chapter 2 that is none is named, and how one is written" {
+  local case
+  for case in nonsense hm_1000 xx_1000_0.2; do
+    exits 2 study_rules -n BIN="$BATS_TEST_TMPDIR/bin" OUT="$BATS_TEST_TMPDIR/out" C2_CASES="hm_1000_0.2 $case" ch2
+    # shellcheck disable=SC2154  # stderr is set by call
+    [[ $stderr == *"C2_CASES: $case is no case; write LAW_GRAINS_PRESSURE, as hm_1000_0.2 or cl_5000_0.2"* ]] || show
+  done
+}
