@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Makes tables for the runs and the filter: prints the observed peak of a test, or the sets to be checked."""
+"""Makes tables for the runs, the filter and the page: the observed peak of a test, the sets to be checked, or the numbers of sets."""
 # SPDX-License-Identifier: GPL-3.0-or-later
 import argparse
 import sys
@@ -32,14 +32,25 @@ def sets(paths, twins):
     return "\n".join(lines) + "\n"
 
 
+def rounds(paths):
+    """Returns a table of the rounds: the sets drawn so far, and those of them whose run failed. paths: the filter's table of runs of each round."""
+    lines = ["round [1]\tsets [1]\tfailed [1]"]
+    for k, path in enumerate(paths, start=1):
+        fate = Table.read(path)("fate", "1")
+        lines.append(f"{k}\t{len(fate)}\t{(fate != 0).sum()}")
+    return "\n".join(lines) + "\n"
+
+
 if __name__ == "__main__":
     parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("tables", nargs="+", metavar="TABLE", help="q/p at failure (--peak), or tables whose last rows are sets (--twins)")
+    parser.add_argument("tables", nargs="+", metavar="TABLE", help="q/p at failure (--peak), tables whose last rows are sets (--twins), or of runs (--rounds)")
     what = parser.add_mutually_exclusive_group(required=True)
     what.add_argument("--peak", type=float, metavar="MPa", help="confining pressure")
     what.add_argument("--twins", type=int, choices=range(1, 11), metavar="N", help="runs of each set, 1 to 10")
+    what.add_argument("--rounds", action="store_true", help="sets and failed runs of each round")
     given = parser.parse_args()
     try:
-        print(sets(given.tables, given.twins) if given.twins else peak(given.tables[0], given.peak), end="")
+        made = rounds(given.tables) if given.rounds else sets(given.tables, given.twins) if given.twins else peak(given.tables[0], given.peak)
+        print(made, end="")
     except StudyError as error:
         sys.exit(f"study: {error}")

@@ -85,9 +85,12 @@ c2_calibrate = BIN=$(BIN) pipelines/calibrate.sh --prior $(c2_prior) --packing $
   --samples $(subst $() ,$(comma),$(strip $(C2_SAMPLES))) --rounds $(words $(C2_SAMPLES)) --effective-size 0 $(1)
 $(C2O)/%/posterior.h5: $$(c2_prior) $$(c2_packing) $$(c2_scenario) $$(c2_observed) $(C2_CALIBRATION) | $$(c2_after)
 	@$(call c2_calibrate,$(C2O)/$*)
-# Tables of all rounds of a case. They are made together with the posterior.
-C2_OF_ROUNDS := $(foreach r,$(C2_ROUNDS),$(foreach t,steps density,round$(r)_$(t).tsv))
-$(foreach t,$(C2_OF_ROUNDS),$(C2_CASES:%=$(C2O)/%/$(t))): $$(@D)/posterior.h5 ;
+# Tables of the rounds of a case. They are made together with the posterior.
+C2_RUNS := $(C2_ROUNDS:%=round%_runs.tsv)
+C2_OF_ROUNDS := $(C2_ROUNDS:%=round%_steps.tsv) $(sort round1_density.tsv $(C2_LAST)_density.tsv)
+$(foreach t,$(C2_OF_ROUNDS) $(C2_RUNS),$(C2_CASES:%=$(C2O)/%/$(t))): $$(@D)/posterior.h5 ;
+$(C2O)/%/rounds.tsv: $(C2)/inputs.py $$(foreach t,$(C2_RUNS),$(C2O)/$$*/$$t)
+	@$(STUDY_PY) $^ --rounds $(call whole,$@)
 
 # Runs with the identified means, and with the thesis's set if there is one, as far as the curve of the laboratory goes. Weights are not
 # used here, so that any error will do.
@@ -113,7 +116,7 @@ $(C2O)/%/thesis_error.tsv: $(C2O)/%/posterior.h5 $(BIN)/pf-weight
 	  --until $(C2_STRAIN) --variance $(C2_ERROR_thesis) --quiet --tsv --table steps $(call whole,$@)
 
 C2_CHECKED := $(foreach c,$(C2_CASES),$(if $(wildcard data/laboratory/toyoura_drained_triaxial_$(word 3,$(subst _, ,$(c)))MPa.tsv),$(c)))
-C2_TABLES := $(foreach c,$(C2_CASES),$(foreach r,$(C2_ROUNDS),$(foreach t,steps density,$(C2O)/$(c)/round$(r)_$(t).tsv))) \
+C2_TABLES := $(foreach t,$(C2_OF_ROUNDS) rounds.tsv,$(C2_CASES:%=$(C2O)/%/$t)) \
   $(foreach t,near whole curves,$(C2_CHECKED:%=$(C2O)/%/check_$(t).tsv)) \
   $(if $(filter thesis-$(firstword $(C2_SAMPLES_thesis)),$(PROFILE)-$(firstword $(C2_SAMPLES))),$(C2_CHECKED:%=$(C2O)/%/thesis_error.tsv))
 C2_PY := $(wildcard $(C2)/*.py $(C2)/*.tsv $(C2)/words.toml)
@@ -130,3 +133,4 @@ ch2-keep: $(foreach c,$(C2_ENDED),$(filter $(C2O)/$(c)/%,$(C2_TABLES))) ## keep 
 ch2-compare: $(C2_PY) ## compare and draw the kept cases of ch2 anew
 
 include $(C2)/rates.mk
+include $(C2)/loading.mk

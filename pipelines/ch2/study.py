@@ -25,7 +25,8 @@ class Case:
     def __init__(self, out, name, rounds):
         self.name, (self.law, grains, self.pressure) = name, name.split("_")
         self.grains, self.folder, self.law_words = int(grains), Folder(out / name), LAWS[self.law]
-        self.steps, self.density = ([self.folder(f"round{r}_{kind}") for r in range(1, rounds + 1)] for kind in ("steps", "density"))
+        self.steps = [self.folder(f"round{r}_steps") for r in range(1, rounds + 1)]
+        self.density = [self.folder(f"round{r}_density") for r in sorted({1, rounds})]
         # Where there is no curve of the laboratory, the greatest stress ratio alone is compared.
         self.curve = pathlib.Path(LABORATORY.format(self.pressure)).exists()
         self.station = ("strain_axial", "%") if self.curve else ("confining_pressure", "kPa")
@@ -61,6 +62,24 @@ class Case:
         """Raises NotMade where there is no curve of the laboratory."""
         if not self.curve:
             raise NotMade("no curve of the laboratory")
+
+
+def case_table(cases):
+    """Returns the columns of a table of cases: their sets and failed runs, effective sets after the first and the last round, and what they identified."""
+    columns = {}
+    for case in cases:
+        rounds = case.folder("rounds")
+        sets = numpy.diff(rounds("sets", "1"), prepend=0)
+        row = {"case": str(case), "sets, round by round": ", ".join(f"{n:.0f}" for n in sets), "failed runs": f"{rounds('failed', '1')[-1]:.0f}",
+               "effective sets, first round": f"{case.steps[0]('effective_size', '1')[-1]:.3g}",
+               "effective sets, all rounds": f"{case.steps[-1]('effective_size', '1')[-1]:.3g}"}
+        for name in PARAMETERS:
+            unit = quantity(name).unit
+            row[f"{quantity(name).words} ({unit})" if unit != "1" else quantity(name).words] = (
+                f"{case.identified(name, unit):.3g} ± {case.identified(f'{name}_deviation', unit):.2g}")
+        for head, cell in row.items():
+            columns.setdefault(head, []).append(cell)
+    return columns
 
 
 def settling(case):
@@ -123,9 +142,9 @@ def measure(study, cases):
 
 
 def kept_cases(folder):
-    """Returns the cases of full-size runs whose tables are kept in a folder, by name."""
-    return {path.parent.name: Case(folder, path.parent.name, len(list(path.parent.glob("round*_steps.tsv"))))
-            for path in sorted(folder.glob("*/round1_steps.tsv"))}
+    """Returns the cases of full-size runs whose tables are kept in a folder, by name: the thesis's in the order of Table 2.1, then others."""
+    there = [path.parent.name for path in sorted(folder.glob("*/round1_steps.tsv"))]
+    return {name: Case(folder, name, len(list((folder / name).glob("round*_steps.tsv")))) for name in dict.fromkeys([*THESIS, *there]) if name in there}
 
 
 def draw_identified(study, cases, kept):
@@ -133,8 +152,11 @@ def draw_identified(study, cases, kept):
     known = [case for case in cases if case.curve and case.thesis()]
     if not known:
         return "the parameters beside the thesis's, which has none for these cases"
-    figure, axes = figures.panels(len(known), height=3)
-    for a, case in zip(axes, known, strict=True):
+    rows = -(-len(known) // 2)
+    figure, axes = figures.panels(min(len(known), 2), rows, height=3 * rows)
+    for a in axes[len(known):]:
+        a.remove()
+    for a, case in zip(axes, known, strict=False):
         thesis = case.thesis()
         of_both = [(case, figures.BLUE, "this run", 0)]
         if case.name in kept:
@@ -168,8 +190,9 @@ def draw_means(law, number):
                  for case, colour in zip(own, figures.SERIES, strict=False) for r, table in enumerate(case.steps)]
         means += [Drawn(f"{case.grains} grains, full size", Series(kept[case.name].steps[-1]), figures.INK, ":")
                   for case in own if case.name in kept]
-        means += [Drawn("thesis's error", Series(case.folder("thesis_error")), figures.PURPLE, "-.")
-                  for case in (kept.get(case.name, case) for case in own) if case.has_thesis_error()]
+        weighed = [case for case in (kept.get(case.name, case) for case in own) if case.has_thesis_error()]
+        means += [Drawn(f"thesis's error, {case.grains} grains" if len(weighed) > 1 else "thesis's error", Series(case.folder("thesis_error")),
+                        figures.PURPLE, "-.") for case in weighed]
         known, strains = own[0].thesis(), [0, max(table("strain_axial", "%")[-1] for table in own[0].steps)]
         published = [Drawn("", Series({"strain_axial": strains} | {name: [known(name, quantity(name).unit)[0]] * 2 for name in PARAMETERS}),
                            figures.GREY, ":")] if known else []
@@ -197,23 +220,35 @@ def draw_pressure(study, cases, kept):
 
 
 def draw_prediction(study, cases, kept):
-    """Draws Fig. 2.4: the test with the identified parameters, and with the thesis's, beside the laboratory."""
+    """Draws Fig. 2.4: the test with the identified parameters, and with the thesis's, beside the laboratory. Numbers of grains share a panel."""
     panels = []
-    for case in [case for case in cases if case.curve]:
-        laboratory, curves = Table.read(LABORATORY.format(case.pressure)), case.folder("check_curves")
+    for law, pressure in dict.fromkeys((case.law, case.pressure) for case in cases if case.curve):
+        own = [case for case in cases if (case.law, case.pressure) == (law, pressure)]
+        laboratory = Table.read(LABORATORY.format(pressure))
         drawn = [Drawn("laboratory", Series(laboratory.rows(numpy.arange(len(laboratory)) % 3 == 0)), figures.INK, "o")]
-        for id_ in numpy.unique(curves["id"]):
-            colour, line, words = (figures.BLUE, "-", "identified") if id_ < 10 else (figures.ORANGE, "--", "the thesis's set")
-            drawn.append(Drawn("" if id_ % 10 else words, Series(curves.rows(curves["id"] == id_)), colour, line))
-        if case.name in kept:
-            curves = kept[case.name].folder("check_curves")
-            drawn.append(Drawn("identified at full size", Series(curves.rows(curves["id"] == 0)), figures.GREEN, "-."))
-        panels += [panel("strain_axial", name, drawn, legend=name == "stress_ratio", xlim=(0, None), title=str(case))
+        for case in own:
+            drawn += _checked(case, own)
+            if case.name in kept:
+                curves = kept[case.name].folder("check_curves")
+                drawn.append(Drawn("identified at full size", Series(curves.rows(curves["id"] == 0)), figures.GREEN, "-."))
+        title = str(own[0]) if len(own) == 1 else f"{own[0].law_words}, {pressure} MPa"
+        panels += [panel("strain_axial", name, drawn, legend=name == "stress_ratio", xlim=(0, None), title=title)
                    for name in ("stress_ratio", "strain_volumetric")]
     if not panels:
         return "Fig. 2.4: curves of the laboratory are public at 0.2 and 0.5 MPa only"
     study.curves("prediction", *panels, columns=2)
     return None
+
+
+def _checked(case, beside):
+    """Returns the runs of a case's identified set, and of the thesis's for the first of the cases beside which they are drawn, as Drawn."""
+    curves, drawn = case.folder("check_curves"), []
+    own = "identified" if len(beside) == 1 else f"identified, {case.grains} grains"
+    for id_ in numpy.unique(curves["id"]):
+        colour, line, words = (RADII.get(case.grains, figures.SKY), "-", own) if id_ < 10 else (figures.PURPLE, "--", "the thesis's set")
+        if id_ < 10 or case is beside[0]:
+            drawn.append(Drawn("" if id_ % 10 else words, Series(curves.rows(curves["id"] == id_)), colour, line))
+    return drawn
 
 
 def draw_density(study, case):
@@ -223,7 +258,7 @@ def draw_density(study, case):
         return Series({name: rows("value", "its own") / (1e9 if quantity(name).unit == "GPa" else 1), "density": rows("density", "1 per its own")})
     stations = numpy.unique(case.density[0](*case.station))
     shown = [(case.density[0], at, colour, "-", f"to {at:g} {case.station[1]}") for at, colour in zip(stations, figures.SERIES, strict=False)]
-    shown += [(table, stations[-1], figures.INK, "--", "all rounds, at the end") for table in case.density[1:][-1:]]
+    shown += [(table, stations[-1], figures.INK, "--", "all rounds, at the end") for table in case.density[1:]]
     study.curves(f"density_{case.name}", *(
         panel(name, "density", [Drawn(words, density(table, at, k, name), colour, line) for table, at, colour, line, words in shown], "density",
               legend=False, xscale="linear" if k else "log", ylim=(0, None)) for k, name in enumerate(PARAMETERS)), columns=3, height=6,
@@ -243,10 +278,11 @@ def draw(study, cases, kept):
         study.remark(f"Not drawn: {'; '.join(left_out)}.")
 
 
-def tell(study, cases, arguments):
-    """Gives the texts of the page what they name."""
+def tell(study, cases, kept, arguments):
+    """Gives the texts of the page what they name. kept: the cases of full-size runs, which the table of cases shows instead, if there are any."""
     first = [next(case for case in cases.values() if case.law == law) for law in dict.fromkeys(case.law for case in cases.values())]
-    study.tell(samples=arguments.samples, until=f"{arguments.until:g}", error=", ".join(arguments.error.split(",")), first=first,
+    study.tell(cases=case_table((kept or cases).values()), samples=arguments.samples, until=f"{arguments.until:g}",
+               error=", ".join(arguments.error.split(",")), first=first,
                fits=[case for case in first if case.curve and study.measures[f"ratio_{case.name}"].value is not None],
                few=[case for case in cases.values() if study.measures[f"size_last_{case.name}"].value < len(PARAMETERS) + 1])
 
@@ -256,15 +292,15 @@ def build(arguments):
     if not arguments.cases:
         raise StudyError(f"{arguments.out}: no case is kept; make PROFILE=thesis ch2, then ch2-keep" if arguments.kept else "C2_CASES: name a case")
     study = Study.of(HERE, arguments, judged=arguments.profile == "thesis")
-    cases = {name: Case(study.out, name, len(arguments.samples)) for name in arguments.cases}
+    cases = kept_cases(study.out) if arguments.kept else {name: Case(study.out, name, len(arguments.samples)) for name in arguments.cases}
     measure(study, cases)
     for case in cases.values():
         if case.curve:
             study.accept(f"ratio_{case.name}", "at most", 12, "%", f"stress ratio: RMS difference of the identified set from the laboratory, {case}")
             study.accept(f"volume_{case.name}", "at most", 1, "%", f"volumetric strain: RMS difference of the identified set from the laboratory, {case}")
-    if not arguments.kept:
-        tell(study, cases, arguments)
     kept = {} if study.judged else kept_cases(HERE / "kept")
+    if not arguments.kept:
+        tell(study, cases, kept, arguments)
     draw(study, list(cases.values()), kept)
     for case in {} if arguments.kept else cases.values():
         study.text(f"Posterior as pf-weight reports it: {case}", case.folder.path / f"round{len(case.steps)}_posterior.txt")

@@ -97,7 +97,8 @@ $(OWNO)/packing_%.h5: $(OWNO)/settings $(OWNO)/grading.tsv $(BIN)/pack-generate
 	  --mean-radius $(OWN_RADIUS) --threads 1 --quiet --force -o $@ 2> $(@:.h5=.said); status=$$?; cat $(@:.h5=.said) >&2; exit $$status
 
 # (a) A status of 1 means that the effective size is not reached; the page says so.
-$(OWN_CAL)/posterior.h5: $(OWNO)/packing_1.h5 $(OWN_PRIOR) $(OWN_CAL)/settings $(OWN_TABLES) pipelines/calibrate.sh $(C2_RUN) $(BIN)/pf-weight $(BIN)/plot
+$(OWN_CAL)/posterior.h5: $(OWNO)/packing_1.h5 $(OWN_PRIOR) $(OWN_CAL)/settings $(OWN_TABLES) pipelines/calibrate.sh $(C2_SCENARIO_hm) $(C2_RUN) \
+  $(BIN)/pf-weight $(BIN)/plot
 	@BIN=$(BIN) pipelines/calibrate.sh --prior $(OWN_PRIOR) --packing $< $(OWN_TESTS) --until $(OWN_UNTIL) --stations $(OWN_STATIONS) --error $(OWN_ERROR) \
 	  --samples $(OWN_SAMPLES) --rounds $(OWN_ROUNDS) --effective-size $(OWN_SIZE) --rate $(OWN_RATE) $(OWN_CAL) || [ $$? = 1 -a -e $@ ]
 $(OWNO)/draws.tsv: $(OWN_CAL)/posterior.h5 $(OWN)/sets.py
@@ -105,9 +106,8 @@ $(OWNO)/draws.tsv: $(OWN_CAL)/posterior.h5 $(OWN)/sets.py
 $(OWNO)/heaviest.tsv: $(OWN_CAL)/posterior.h5 $(OWN)/sets.py
 	@$(OWN_PY)/sets.py heaviest $(OWN_CAL) $(OWN_TWINS) $(call whole,$@)
 # Twins of two volumes with the heaviest set, in the first test, show the scatter by chance. % is the seed.
-$(OWNO)/checked_%: $(OWNO)/heaviest.tsv $(OWNO)/packing_%.h5
-	@BIN=$(BIN) pipelines/calibration/ensemble.sh $< $(OWNO)/check_$* hm $(OWNO)/packing_$*.h5 pipelines/calibration/hertz-mindlin.toml \
-	  $(OWN_PRESSURE) $(OWN_UNTIL)
+$(OWNO)/checked_%: $(OWNO)/heaviest.tsv $(OWNO)/packing_%.h5 $(C2_SCENARIO_hm)
+	@BIN=$(BIN) pipelines/calibration/ensemble.sh $< $(OWNO)/check_$* hm $(OWNO)/packing_$*.h5 $(C2_SCENARIO_hm) $(OWN_PRESSURE) $(OWN_UNTIL)
 	@touch $@
 $(OWNO)/check_%.tsv: $(OWNO)/checked_% $(BIN)/pf-weight
 	@$(BIN)/pf-weight assimilate $(OWNO)/heaviest.tsv $(OWN_CAL)/$(OWN_FIRST).tsv --prior $(OWN_PRIOR) --runs '$(OWNO)/check_$*/runs/{id:06}/series.h5' \

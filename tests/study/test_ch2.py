@@ -5,10 +5,11 @@ import pathlib
 import subprocess
 import types
 
+import h5py
 import numpy
 import pytest
 from calibration import ensemble
-from ch2 import inputs, rates
+from ch2 import inputs, loading, rates
 from ch2 import study as chapter
 from ch2.inputs import PARAMETERS
 from ch2.study import Case
@@ -37,6 +38,7 @@ def write_case(folder, name, rounds, scale=1.0):
     curve = name.endswith("_0.2")
     station = {"strain_axial": ("%", STRAINS)} if curve else {"confining_pressure": ("kPa", [1000])}
     friction = FRICTION if curve else [30.3]
+    write(folder / name / "rounds.tsv", round=("1", range(1, rounds + 1)), sets=("1", [6 + 4 * r for r in range(rounds)]), failed=("1", range(rounds)))
     for r in range(1, rounds + 1):
         values = {p: scale * (numpy.array(friction) if p == "friction_angle" else ANSWER[p]) for p in PARAMETERS}
         columns = {p: (PARAMETERS[p], v) for p, v in values.items()}
@@ -201,6 +203,47 @@ def test_rates_of_loading_are_compared_set_by_set(out):
         rates.table(fast, slow, 2, ["hm_1000_0.2"])
 
 
+def test_the_table_of_cases_tells_sets_failed_runs_and_what_was_identified(out, tmp_path):
+    columns = chapter.case_table([Case(out, "hm_1000_0.2", 2), Case(out, "hm_1000_8", 2)])
+    assert {head: cells[0] for head, cells in columns.items()} == {
+        "case": "Hertz–Mindlin, 1000 grains, 0.2 MPa", "sets, round by round": "6, 4", "failed runs": "1", "effective sets, first round": "1",
+        "effective sets, all rounds": "2", "E (GPa)": "4 ± 0.2", "ν": "0.1 ± 0.005", "rolling stiffness": "0.15 ± 0.0075", "rolling limit": "0.2 ± 0.01",
+        "friction angle (deg)": "30.3 ± 1.5"}
+    assert columns["E (GPa)"][1] == "4.8 ± 0.24" and all(len(cells) == 2 for cells in columns.values())
+    for name, fates in (("one", [0, 4, 0]), ("two", [0, 4, 0, 4])):
+        write(tmp_path / f"{name}.tsv", id=("1", range(len(fates))), fate=("1", fates))
+    assert inputs.rounds([tmp_path / "one.tsv", tmp_path / "two.tsv"]) == "round [1]\tsets [1]\tfailed [1]\n1\t3\t1\n2\t4\t2\n"
+
+
+def write_loaded(folder, sets, ratio, steps):
+    """Writes the curves of the runs of so many sets, and their series, as ch2-loading leaves them; the last set ends early."""
+    for name in loading.LOADINGS:
+        ids = [number for number in range(sets) for strain in loading.STRAINS[:1 if number == sets - 1 else 3]]
+        strains = [strain for number in range(sets) for strain in loading.STRAINS[:1 if number == sets - 1 else 3]]
+        write(folder / f"{name}.tsv", id=("1", ids), strain_axial=("%", strains), stress_ratio=("1", [ratio[name] + 0.04 * number for number in ids]),
+              strain_volumetric=("%", [0.1 * ratio[name]] * len(ids)))
+        for number in range(sets):
+            run = folder / f"{name}/runs/{number:06d}"
+            run.mkdir(parents=True)
+            with h5py.File(run / "series.h5", "w") as file:
+                file["fields/series/step"] = [0, steps[name] + 100 * number]
+
+
+def test_loadings_are_compared_over_the_sets_that_ran_under_each(tmp_path):
+    ratio, steps = {"study": 4.0, "plain": 3.8, "slow": 4.0}, {"study": 1000, "plain": 2000, "slow": 5000}
+    write_loaded(tmp_path / "hm_1000_0.2", 3, ratio, steps)
+    head, study, plain, slow = [line.split("\t") for line in loading.table(tmp_path, ["hm_1000_0.2"]).splitlines()]
+    assert len(head) == len(study) == 10 and head[4] == "stress ratio at 1.02 %, difference from slow (% of it)"
+    assert study[2:5] == ["2", "1050", "+0 ± 0"] and slow[2:] == ["2", "5050", *"000000"]
+    assert plain[:4] == ["Hertz–Mindlin", "10 %/s, without", "2", "2050"] and plain[4] == "-5 ± 0.02" and plain[7] == "-0.02 ± 0"
+    (tmp_path / "hm_1000_0.2/slow/runs/000001/series.h5").unlink()
+    with pytest.raises(StudyError, match=r"slow/runs/000001/series.h5: has no series"):
+        loading.table(tmp_path, ["hm_1000_0.2"])
+    write_loaded(tmp_path / "cl_1000_0.2", 2, ratio, steps)
+    with pytest.raises(StudyError, match="1 sets ran under every loading; two give a standard error"):
+        loading.table(tmp_path, ["cl_1000_0.2"])
+
+
 def test_the_appendix_tells_how_the_kept_response_depends_on_the_rate():
     rows = [line.split("\t") for line in (chapter.HERE / "kept/rates_quick.tsv").read_text().splitlines()]
     ratios = [float(row[5]) / float(row[3]) - 1 for row in rows if row[1].startswith("stress ratio")]
@@ -208,6 +251,17 @@ def test_the_appendix_tells_how_the_kept_response_depends_on_the_rate():
     assert f"{100 * min(ratios):.0f} to {100 * max(ratios):.0f} % higher" in words and len(ratios) == 6
     volumes = [abs(float(row[5]) - float(row[3])) for row in rows if row[1].startswith("volumetric strain")]
     assert max(volumes) < 0.06  # %, "changes little"
+
+
+def test_the_appendix_tells_how_many_steps_the_kept_loading_saves_for_the_same_response():
+    rows = [line.split("\t") for line in (chapter.HERE / "kept/loading_thesis.tsv").read_text().splitlines()[1:]]
+    words = (chapter.HERE / "words.toml").read_text()
+    for law, of in (("Hertz–Mindlin", "{} % of the steps with Hertz–Mindlin contacts"), ("linear", "{} % with linear ones")):
+        study, plain, _ = (row for row in rows if row[0] == law)
+        assert of.format(f"{100 * float(study[3]) / float(plain[3]):.0f}") in words
+        for own, without in zip(study[4:], plain[4:], strict=True):
+            (mean, error), (other, beside) = ([float(number) for number in cell.split(" ± ")] for cell in (own, without))
+            assert abs(mean) <= abs(other) + max(error, beside)  # "at least as near"
 
 
 def test_the_appendix_tells_where_the_thesis_s_error_gives_the_thesis_s_set():
