@@ -30,20 +30,20 @@ $(C5_TRIAXIAL): $(C5O)/triaxial_%.tsv: $(BIN)/gws-solve $(C5_CATALOGUE)
 
 # One identification prints its tables, its text and its soil, each by a call of its own. The call of the soil says the doubts, and the series that
 # they are about. The other calls leave them out.
-c5_doubting = 2> >(sed 's|: doubt: |: doubt: of $(1): |' >&2)
-c5_undoubting = 2> >(grep -v ': doubt: ' >&2)
+c5_doubting = { { $(1) 2>&1 >&3 3>&- | sed 's|: doubt: |: doubt: of $(2): |' >&2; } 3>&1; }
+c5_undoubting = { { $(1) 2>&1 >&3 3>&- | sed '/: doubt: /d' >&2; } 3>&1; }
 C5_IDENTIFY = $(BIN)/gws-solve identify $(C5_DEM) --failure $(C5_FAILURE) --fit thesis --difference backward
 $(C5_LINES): $(C5O)/%.tsv: $(BIN)/gws-solve $(C5_DEM) $(C5_FAILURE)
 	@mkdir -p $(@D)
-	@$(C5_IDENTIFY) --tsv --table $* $(c5_undoubting) $(call whole,$@)
+	@$(call c5_undoubting,$(C5_IDENTIFY) --tsv --table $*) $(call whole,$@)
 
 $(C5O)/identified.txt: $(BIN)/gws-solve $(C5_DEM) $(C5_FAILURE)
 	@mkdir -p $(@D)
-	@$(C5_IDENTIFY) $(c5_undoubting) | sed 's|data/discrete_element/soilbag_uniaxial_||g; s|\.tsv||g' $(call whole,$@)
+	@$(call c5_undoubting,$(C5_IDENTIFY)) | sed 's|data/discrete_element/soilbag_uniaxial_||g; s|\.tsv||g' $(call whole,$@)
 
 $(C5O)/soil.toml: $(BIN)/gws-solve $(C5_DEM) $(C5_FAILURE)
 	@mkdir -p $(@D)
-	@$(C5_IDENTIFY) --toml $(call c5_doubting,$(notdir $(C5_DEM))) $(call whole,$@)
+	@$(call c5_doubting,$(C5_IDENTIFY) --toml,$(notdir $(C5_DEM))) $(call whole,$@)
 
 # Bands: the identified constants and their scatter; the chart: geotextiles like PP, a service surcharge of 300 kPa.
 C5_BANDS = $(BIN)/gws-solve respond --geotextile PP --soil $(C5O)/soil.toml --samples 1000 --points 50
@@ -124,11 +124,11 @@ define c5_own
 C5_BAGS_$(1) := $(C5_GEOTEXTILES:%=$(1)/uc_%.tsv)
 C5_OWN_$(1) = $$(BIN)/gws-solve identify $$(C5_BAGS_$(1)) $(C5_GEOTEXTILES:%=--geotextile %) --failure $$(C5_FAILURE) --fit thesis --difference backward --quiet
 $(C5_OWN_NAMES:%=$(1)/%.tsv): $(1)/own_%.tsv: $$(BIN)/gws-solve $$(C5_BAGS_$(1)) $$(C5_FAILURE) $$(C5_CATALOGUE)
-	@$$(C5_OWN_$(1)) --tsv --table $$* $$(c5_undoubting) $$(call whole,$$@)
+	@$$(call c5_undoubting,$$(C5_OWN_$(1)) --tsv --table $$*) $$(call whole,$$@)
 $(1)/own_identified.txt: $$(BIN)/gws-solve $$(C5_BAGS_$(1)) $$(C5_FAILURE) $$(C5_CATALOGUE)
-	@$$(C5_OWN_$(1)) $$(c5_undoubting) | sed 's|$(1)/uc_||g; s|\.tsv||g' $$(call whole,$$@)
+	@$$(call c5_undoubting,$$(C5_OWN_$(1))) | sed 's|$(1)/uc_||g; s|\.tsv||g' $$(call whole,$$@)
 $(1)/own_soil.toml: $$(BIN)/gws-solve $$(C5_BAGS_$(1)) $$(C5_FAILURE) $$(C5_CATALOGUE)
-	@$$(C5_OWN_$(1)) --toml $$(call c5_doubting,$(C5_GEOTEXTILES:%=$(1)/uc_%)) $$(call whole,$$@)
+	@$$(call c5_doubting,$$(C5_OWN_$(1)) --toml,$(C5_GEOTEXTILES:%=$(1)/uc_%)) $$(call whole,$$@)
 $(C5_UNIAXIAL:$(C5O)/%=$(1)/own_%): $(1)/own_uniaxial_%.tsv: $$(BIN)/gws-solve $(1)/own_soil.toml $$(C5_CATALOGUE)
 	@$$(BIN)/gws-solve respond --soil $(1)/own_soil.toml --geotextile $$* --points 40 --tsv --quiet $$(call whole,$$@)
 $(C5_TRIAXIAL:$(C5O)/%=$(1)/own_%): $(1)/own_triaxial_%.tsv: $$(BIN)/gws-solve $(1)/own_soil.toml $$(C5_CATALOGUE)
