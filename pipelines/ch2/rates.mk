@@ -1,5 +1,5 @@
 # Sets identified by runs at the study's rate of loading and at a tenth of it, and the response of one set at either rate. Most steps of a
-# run wait for rest, so that the slow runs take some 1.3 times as long.
+# run wait for rest, so that the slow runs take some 1.6 times as long.
 # SPDX-License-Identifier: GPL-3.0-or-later
 C2R := $(C2O)/slow
 C2R_RATE := 0.01
