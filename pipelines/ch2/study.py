@@ -281,7 +281,8 @@ def draw(study, cases, kept):
 def tell(study, cases, kept, arguments):
     """Gives the texts of the page what they name. kept: the cases of full-size runs, which the table of cases shows instead, if there are any."""
     first = [next(case for case in cases.values() if case.law == law) for law in dict.fromkeys(case.law for case in cases.values())]
-    study.tell(cases=case_table((kept or cases).values()), samples=arguments.samples, until=f"{arguments.until:g}",
+    study.tell(cases=case_table((kept or cases).values()), cases_of="the full-size runs" if kept or study.judged else "this run",
+               samples=arguments.samples, until=f"{arguments.until:g}",
                error=", ".join(arguments.error.split(",")), first=first,
                fits=[case for case in first if case.curve and study.measures[f"ratio_{case.name}"].value is not None],
                few=[case for case in cases.values() if study.measures[f"size_last_{case.name}"].value < len(PARAMETERS) + 1])
