@@ -28,8 +28,6 @@ $(C2L)/%/$(1)/done: $(C2L)/%/sets.tsv $$$$(c2_packing) $$$$(c2_scenario) $$(C2_R
 	@BIN=$$(BIN) $$(CALIBRATION)/ensemble.sh $$< $$(@D) $$(c2_law) $$(c2_packing) $$(@D)/scenario.toml $$(c2_pressure) $$(C2L_STRAIN)
 	@touch $$@
 $(C2L)/%/$(1).tsv: $(C2L)/%/$(1)/done $$(BIN)/pf-weight
-	@$$(BIN)/pf-weight assimilate $$(@D)/sets.tsv $$(c2_curve) --prior $$(c2_prior) --runs '$$(@D)/$(1)/runs/{id:06}/series.h5' --where stage=1 \
-	  --station strain_axial --observe stress_ratio --observe strain_volumetric --until $$(C2L_STRAIN) --error 1 --quiet --tsv --table curves \
-	  $$(call whole,$$@)
+	@$$(call c2_compare,$$(@D)/sets.tsv,$$(@D)/$(1)) curves --until $$(C2L_STRAIN) $$(call whole,$$@)
 endef
 $(foreach of,$(C2L_OF),$(eval $(call c2_loaded,$(of))))

@@ -99,9 +99,11 @@ $(C2O)/%/check.tsv: $(C2)/inputs.py $(C2O)/%/$(C2_LAST)_steps.tsv $$(c2_thesis) 
 $(C2O)/%/checked: $(C2O)/%/check.tsv $$(c2_packing) $$(c2_scenario) $(C2_RUN)
 	@BIN=$(BIN) $(CALIBRATION)/ensemble.sh $< $(C2O)/$*/check $(c2_law) $(c2_packing) $(c2_scenario) $(c2_pressure) $$(tail -n 1 $(c2_curve) | cut -f 1)
 	@touch $@
-# The argument is the folder of the runs.
-c2_check = $(BIN)/pf-weight assimilate $(C2O)/$*/check.tsv $(c2_curve) --prior $(c2_prior) --runs '$(1)/check/runs/{id:06}/series.h5' \
-  --where stage=1 --station strain_axial --observe stress_ratio --observe strain_volumetric --error 1 --quiet --tsv --table
+# Compares runs with the laboratory's curve, without their radial strain. The arguments are the sets and the folder of their runs.
+c2_compare = $(BIN)/pf-weight assimilate $(1) $(c2_curve) --prior $(c2_prior) --runs '$(2)/runs/{id:06}/series.h5' --where stage=1 \
+  --station strain_axial --observe stress_ratio --observe strain_volumetric --error 1 --quiet --tsv --table
+# The argument is the folder of the case.
+c2_check = $(call c2_compare,$(C2O)/$*/check.tsv,$(1)/check)
 # Misfits of these runs up to the strain at which sets are compared (near), and over the whole laboratory curve (whole); and their curves.
 $(C2O)/%/check_near.tsv $(C2O)/%/check_whole.tsv $(C2O)/%/check_curves.tsv: $(C2O)/%/checked $(BIN)/pf-weight
 	@$(call c2_check,$(@D)) runs --until $(C2_STRAIN) $(call whole,$(@D)/check_near.tsv)
