@@ -185,13 +185,18 @@ def test_no_greater_factor_leaves_a_greater_share_of_the_strength(soil, tmp_path
 
 
 def make(soil, out, tools, *goals):
-    """Runs make with tools that only write their output; returns what they were called with after the inputs were judged, and what make says."""
+    """Runs make with tools that only write their output; returns what they were called with after the inputs were judged, and what make says.
+
+    With -p among the goals, it returns the lines of make's database instead.
+    """
     (tools / "log").write_text("")
     root = EXAMPLE.parents[2]
     # A make that runs the tests would hand its job server down, of which this one would warn.
     alone = {name: value for name, value in os.environ.items() if name not in ("MAKEFLAGS", "MFLAGS", "MAKELEVEL")}
     command = ["make", "-s", f"BIN={tools}", f"OUT={out}", f"SOIL={soil}", *goals]
     done = subprocess.run(command, cwd=root, env=alone, capture_output=True, text=True, check=False)
+    if "-p" in goals:
+        return done.stdout.splitlines(), done.stderr
     return [line for line in (tools / "log").read_text().splitlines() if "draw" not in line], done.stderr
 
 
@@ -274,6 +279,14 @@ def test_make_goes_by_the_content_of_what_own_toml_names(soil, tmp_path, tools):
     (soil.parent / "drained 100 kPa.csv").write_text("# corrected\n" + table.read_text())
     make(soil.parent, out, tools, packing)
     assert table.read_text().startswith("# corrected")
+
+
+def test_what_the_tests_of_a_soil_are_run_with_makes_its_calibration_anew(soil, tmp_path, tools):
+    out = tmp_path / "out"
+    database, _ = make(soil.parent, out, tools, "-p", "-n", "-q", out / "own/soil/page.html")
+    for target in ("calibration/posterior.h5", "checked_1"):
+        needs = next(line for line in database if line.startswith(f"{out}/own/soil/{target}: "))
+        assert "pipelines/calibration/hertz-mindlin.toml" in needs.split()
 
 
 def test_make_refuses_a_second_folder_of_one_name_and_names_that_it_cannot_take(soil, tmp_path, tools):
