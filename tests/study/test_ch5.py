@@ -216,6 +216,14 @@ def test_what_is_stated_is_measured(study):
         assert all(s.name in study.measures for s in read_statements(chapter.HERE / name))
 
 
+def test_the_reason_tells_when_the_3pp_bag_of_another_volume_breaks_first():
+    words = (chapter.HERE / "words.toml").read_text()
+    other = Table.read(chapter.HERE / "kept/volume_5_3PP.tsv")
+    expected = next(line.split("\t") for line in (chapter.HERE / "grains.tsv").read_text().splitlines() if line.startswith("uc_first_break_3PP\t"))
+    breaks = 100 * other("first_break_strain", "1", missing=True)[-1]
+    assert f"breaks first at {breaks:.2f} %, within the tolerance" in words and abs(breaks - float(expected[2])) < float(expected[3])
+
+
 def test_kept_runs_are_compared_without_those_that_have_not_ended(folder):
     kept = folder / "kept"
     kept.mkdir()
