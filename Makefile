@@ -470,7 +470,8 @@ test-unit: $(filter %/unit %/property,$(TEST_PROGRAMS)) ## unit and property tes
 # $(call run_bats,FOLDER,TESTS): FOLDER below B/tests takes the report. Tests of tools wait for signals and disks, so that one test more than there
 # are cores keeps all cores busy. The longest files come first, so that none of them is left alone at the end. Within a file, tests run one after
 # the other: side by side, each would cost bats half a second of processor time more.
-LONGEST := $(patsubst %,tests/tools/%.bats,filter-expand ensembles checkpoints surround calibrate recipes plot)
+LONGEST := $(patsubst %,tests/tools/%.bats,filter-expand ensembles plot checkpoints pack-generate run-dem calibrate help files pf-weight gws-solve \
+  fem-dem surround recipes doubts to-vtk)
 run_bats = mkdir -p $(B)/tests/$(1) && BIN=$(CURDIR)/$(B)/bin OMP_NUM_THREADS=1 bats --jobs $$(($(JOBS) + 1)) --no-parallelize-within-files \
   --report-formatter tap --output $(B)/tests/$(1) $(2) && \
   sed -n 's/^ok [0-9]* \(.*\) \# skip *\(.*\)$$/tools\t\1\t\2/p' $(B)/tests/$(1)/report.tap >> "$${SOILWEAVE_SKIPPED:-/dev/null}"
