@@ -47,8 +47,6 @@ struct alignas(64) ContactBlock {
   std::uint8_t touching = 0, sliding = 0, folded = 0;
   /// Number of pairs.
   std::uint8_t count = 0;
-  /// Whether any second grain is in another chunk.
-  bool far = false;
 
   /// Returns a mask with bit k set or cleared.
   static std::uint8_t with_bit(std::uint8_t bits, int k, bool on) {

@@ -119,11 +119,9 @@ void fill(std::vector<ContactBlock>& blocks, std::vector<double>& own, std::size
       const int k = block.count;
       const auto first = static_cast<std::size_t>(at->first), second = static_cast<std::size_t>(at->second);
       block.first[k] = grain_distance(first), block.second[k] = grain_distance(second);
-      const bool far = is_far(*at, chunk);
-      block.load_second[k] = load_distance(far ? load++ : second);
+      block.load_second[k] = load_distance(is_far(*at, chunk) ? load++ : second);
       block.image[k] = place(at->image, images);
       block.folded = ContactBlock::with_bit(block.folded, k, block.image[k] != 0);
-      block.far = block.far || far;
       known.pass_on(*at, block, own_of_block, k);
     }
     if (block.count < ContactBlock::size) leave_empty(block, block.count, begin, images.size() - 1);

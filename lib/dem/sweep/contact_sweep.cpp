@@ -202,12 +202,13 @@ class LawSweep final : public ContactSweep {
                                                        std::array<Group<Lanes, Space>, batch_size>& groups) const {
     constexpr std::size_t per_block = ContactBlock::size / width<Lanes>;
     const std::byte* const grains = s.grains();
+    const double* const loads = s.loads;
     const Lane4* const shifts = s.shifts.data();
     const bool deforming = moving && s.affine.deforming, use_masses = use_masses_;
     Group<Lanes, Space>* group = groups.data();
     ContactBlock* block = next;
     for (; block != end && group + per_block <= groups.data() + batch_size; ++block) {
-      if (!s.in_cache) call_for(block, end, grains);
+      if (!s.in_cache) call_for(block, end, grains, loads);
       for (std::size_t k = 0; k < ContactBlock::size; k += width<Lanes>) {
         const BlockLanes<Lanes> lanes(*block, k);
         const PairRows<Lanes, Space> rows = lanes.template read<Space, moving>(grains, shifts);
