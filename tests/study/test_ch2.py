@@ -269,23 +269,36 @@ def settled(strain, friction, published):
     return strain[strain > strain[abs(friction - published) >= 0.1][-1]][0]
 
 
-def test_the_appendix_tells_where_the_thesis_s_error_gives_the_thesis_s_set():
-    words, case = (chapter.HERE / "words.toml").read_text(), Case(chapter.HERE / "kept", "hm_1000_0.2", 1)
+@pytest.mark.parametrize(("law", "words_of_law"), [("hm", "Hertz–Mindlin"), ("cl", "linear")])
+def test_the_appendix_tells_where_the_thesis_s_sets_are_found(law, words_of_law):
+    words = (chapter.HERE / "words.toml").read_text().replace("\\\n", "")
+    case = Case(chapter.HERE / "kept", f"{law}_1000_0.2", 1)
     published = case.thesis()("friction_angle", "deg")[0]
-    strain, friction = case.folder("thesis_error")("strain_axial", "%"), case.folder("thesis_error")("friction_angle", "deg")
-    start = settled(strain, friction, published)
-    assert f"from {start:.1f} to {strain[-1]:.1f} % of axial strain" in words
-    assert case.folder("thesis_error")("effective_size", "1")[strain >= start].max() < 1.1  # "one set has nearly all the weight"
-    # The study's error: the same set, from some strain to the end.
-    strain, friction = case.steps[0]("strain_axial", "%"), case.steps[0]("friction_angle", "deg")
-    assert f"the same set, from {settled(strain, friction, published):.1f} % of axial strain on" in words
+    for steps in (case.folder("thesis_error"), case.steps[0]):  # the thesis's error, the study's error
+        strain, friction = steps("strain_axial", "%"), steps("friction_angle", "deg")
+        start = settled(strain, friction, published)
+        assert f"from {start:.1f} % on with {words_of_law} contacts" in words
+        assert f"to the end, at {strain[-1]:.1f} % of axial strain" in words
+        assert steps("effective_size", "1")[strain >= start].max() < 1.1  # "one set has nearly all the weight"
 
 
-def test_the_reason_tells_which_set_later_rounds_find_and_that_it_agrees_better():
-    words, case = (chapter.HERE / "words.toml").read_text(), Case(chapter.HERE / "kept", "hm_1000_0.2", 4)
+def test_reasons_tell_which_sets_later_rounds_find_and_how_these_agree():
+    words = (chapter.HERE / "words.toml").read_text().replace("\\\n", "")
+    case = Case(chapter.HERE / "kept", "hm_1000_0.2", 4)
     friction, ratio = case.identified("friction_angle", "deg"), case.identified("poisson_ratio", "1")
-    assert f"friction angle of \\\n{friction:.1f} degrees and a Poisson's ratio of {ratio:.2f}" in words
+    assert f"friction angle of {friction:.1f} degrees and a Poisson's ratio of {ratio:.2f}" in words
     assert chapter.excess(case, "near", "stress_ratio_misfit_relative") < 0 and chapter.excess(case, "near", "strain_volumetric_misfit") < 0
+    case = Case(chapter.HERE / "kept", "cl_1000_0.2", 4)
+    assert f"friction angle of {case.identified('friction_angle', 'deg'):.1f} degrees, whose RMS" in words
+    strain, friction = case.steps[-1]("strain_axial", "%"), case.steps[-1]("friction_angle", "deg")
+    assert "all weight is on it at 7.1 % of axial strain" in words
+    assert abs(friction - case.thesis()("friction_angle", "deg")[0])[abs(strain - 7.1).argmin()] < 0.01
+    near = case.folder("check_near")
+    own = near("id", "1") < 10  # the twins of the identified set; those of the thesis's are numbered from 10 on
+    volume, stress = near("strain_volumetric_misfit", "%"), near("stress_ratio_misfit", "1")
+    assert f"volumetric strain is {volume[own].mean():.3f} % (the thesis's set: {volume[~own].mean():.3f} %)" in words
+    assert f"is smaller (RMS {stress[own].mean():.3f}) than that of the thesis's set ({stress[~own].mean():.3f})" in words
+    assert chapter.excess(case, "near", "stress_ratio_misfit_relative") > 0
 
 
 def test_inputs_are_what_runs_and_filter_read(out, tmp_path):
