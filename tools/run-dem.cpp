@@ -12,6 +12,7 @@
 #include "core/stop_signals.h"
 #include "dem/run/forecast.h"
 #include "dem/run/run.h"
+#include "dem/state/perturbed.h"
 #include "files/files.h"
 #include "files/safe_output.h"
 #include "store/bytes.h"

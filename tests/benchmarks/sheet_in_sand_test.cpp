@@ -13,6 +13,7 @@
 
 #include "core/archive.h"
 #include "dem/run/run.h"
+#include "dem/state/perturbed.h"
 #include "support/assemblies.h"
 #include "support/same_state.h"
 

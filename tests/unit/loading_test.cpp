@@ -3,12 +3,15 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <chrono>
 #include <cmath>
 #include <string>
+#include <thread>
 
 #include "core/error.h"
 #include "dem/contact/laws/hertz_mindlin.h"
 #include "dem/run/run.h"
+#include "dem/state/perturbed.h"
 #include "support/assemblies.h"
 #include "support/scenario.h"
 #include "support/worse.h"
@@ -257,6 +260,18 @@ TEST(Run, SaysWhenOnlyTheKineticEnergyKeepsItFromRest) {
     EXPECT_NE(std::string(e.what()).find("of 1.00e-30 J): only the kinetic energy is above"), std::string::npos)
         << e.what();
   }
+}
+
+// Otherwise the steps of a run with few stations and many grains would seem slower than they are.
+TEST(Run, TheTimeOfRowsCountsAsOutputNotAsSteps) {
+  const Scenario plan = scenario("[[stage]]\npath = \"constant-volume\"\naxial_strain = 0.0005\n");
+  const io::Snapshot start = prepare(support::packed(plan.model, 1e5), plan);
+  const double quick = run(start, plan, {}).cost.output;
+  static constexpr std::chrono::duration<double> wait(0.5);
+  const Outcome slow = run(start, plan, {}, {}, [](auto&, auto&) { std::this_thread::sleep_for(wait); });
+  ASSERT_EQ(slow.file.series.rows(), 2U);
+  EXPECT_GE(slow.cost.output, 2 * wait.count());
+  EXPECT_LT(quick, wait.count());
 }
 
 TEST(Run, TwinsDifferByTheSeedAndByNoMoreThanAsked) {

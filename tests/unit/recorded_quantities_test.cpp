@@ -30,9 +30,9 @@ Model linear() {
 }
 Sphere at(double x, double radius = R) { return {radius, density, Vec3(x, 0.1, 0.1), Vec3::Zero()}; }
 
-double recorded(const Simulation& simulation, int dimension, const char* name) {
+double recorded(const Simulation& simulation, const char* name) {
   io::Series series = empty_series();
-  record(simulation, simulation.energies(), dimension, 0, series);
+  record(simulation, simulation.snapshot(), simulation.energies(), 0, series);
   return series.at(name).values.at(0);
 }
 
@@ -41,8 +41,8 @@ TEST(Recorded, RattlersCountInTheCoordinationNumberAloneThatSaysSo) {
   io::Snapshot state = scene({at(0), at(1.99 * R), at(3.98 * R), at(9 * R)}, false);
   state.grains.material_id.assign(4, 0);
   const Simulation s(state, linear(), undamped(1e-6));
-  EXPECT_DOUBLE_EQ(recorded(s, 3, "coordination_number"), 2.0 * 2 / 4);
-  EXPECT_DOUBLE_EQ(recorded(s, 3, "mechanical_coordination_number"), (2.0 * 2 - 2) / (4 - 1 - 2));
+  EXPECT_DOUBLE_EQ(recorded(s, "coordination_number"), 2.0 * 2 / 4);
+  EXPECT_DOUBLE_EQ(recorded(s, "mechanical_coordination_number"), (2.0 * 2 - 2) / (4 - 1 - 2));
   // The overlap is 0.01 R; the smaller of two radii counts.
   EXPECT_NEAR(s.largest_overlap(), 0.01, 1e-12);
   const Simulation unequal(scene({at(0), at(2.99 * R, 2 * R)}, false), linear(), undamped(1e-6));
@@ -62,9 +62,9 @@ TEST(Recorded, DeviatoricStrainsAreThoseOfTheirSpace) {
     for (int k = 0; k < 10; ++k) s.step();
     const double axial = s.strain()[dimension - 1];
     ASSERT_GT(axial, 1e-5);
-    EXPECT_NEAR(recorded(s, dimension, "strain_deviatoric"), (dimension == 3 ? 2.0 / 3.0 : 1) * axial, 1e-14);
-    EXPECT_NEAR(recorded(s, dimension, "strain_volumetric"), axial, 1e-14);
-    EXPECT_EQ(recorded(s, dimension, "strain_axial"), axial);
+    EXPECT_NEAR(recorded(s, "strain_deviatoric"), (dimension == 3 ? 2.0 / 3.0 : 1) * axial, 1e-14);
+    EXPECT_NEAR(recorded(s, "strain_volumetric"), axial, 1e-14);
+    EXPECT_EQ(recorded(s, "strain_axial"), axial);
   }
 }
 
@@ -77,17 +77,17 @@ TEST(Recorded, ACellThatDoesNotFollowItsGrainsHasNoStressStrainOrVoidRatio) {
     const Simulation s(state, linear(), undamped(1e-6));
     for (const char* name : {"strain_xx", "strain_axial", "strain_volumetric", "strain_deviatoric", "stress_xx",
                              "stress_zx", "mean_stress", "deviatoric_stress", "void_ratio"})
-      EXPECT_EQ(std::isfinite(recorded(s, 3, name)), closed) << name;
-    EXPECT_EQ(std::isnan(recorded(s, 3, "stress_ratio")), !closed);
-    EXPECT_DOUBLE_EQ(recorded(s, 3, "coordination_number"), 2.0 * 2 / 3);
+      EXPECT_EQ(std::isfinite(recorded(s, name)), closed) << name;
+    EXPECT_EQ(std::isnan(recorded(s, "stress_ratio")), !closed);
+    EXPECT_DOUBLE_EQ(recorded(s, "coordination_number"), 2.0 * 2 / 3);
   }
 }
 
 TEST(Recorded, RatiosOfNothingHaveNoValue) {
   const Simulation apart(scene({at(0), at(3 * R)}, false), linear(), undamped(1e-6));
   for (const char* name : {"stress_ratio", "mechanical_coordination_number", "sliding_fraction"})
-    EXPECT_TRUE(std::isnan(recorded(apart, 3, name))) << name;
-  EXPECT_EQ(recorded(apart, 3, "coordination_number"), 0);
+    EXPECT_TRUE(std::isnan(recorded(apart, name))) << name;
+  EXPECT_EQ(recorded(apart, "coordination_number"), 0);
 }
 
 // A contact of branch l that is strained along its normal resists with l^2 kn, over the volume. Against a plane l is

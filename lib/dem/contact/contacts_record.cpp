@@ -3,6 +3,7 @@
 #include "dem/contact/contacts_record.h"
 
 #include <algorithm>
+#include <bit>
 #include <utility>
 
 namespace soilweave::dem {
@@ -74,6 +75,21 @@ std::vector<double> own_numbers(const io::ContactsRecord& r, std::size_t c, std:
   return numbers;
 }
 
+std::size_t touching_pairs(const Contacts& contacts) {
+  std::size_t count = 0;
+  for (const std::vector<ContactBlock>& chunk : contacts.chunks)
+    for (const ContactBlock& block : chunk) count += static_cast<std::size_t>(std::popcount(block.touching));
+  return count;
+}
+
+// Makes room for contacts, so that large columns are not copied while they grow.
+void reserve(std::size_t contacts, io::ContactsRecord& r) {
+  const auto room = [contacts](auto&... columns) { (columns.reserve(contacts), ...); };
+  room(r.bodies, r.image, r.normal, r.branch_vector, r.overlap, r.normal_force, r.shear_force, r.rolling_moment,
+       r.twisting_moment, r.sliding);
+  for (io::OwnHistory& field : r.own) field.values.reserve(contacts * field.width);
+}
+
 // Appends the law's own numbers of a contact to the fields of a record.
 void put_own(const std::vector<double>& numbers, io::ContactsRecord& r) {
   auto next = numbers.begin();
@@ -110,6 +126,7 @@ io::ContactsRecord contacts_record(const Contacts& contacts, const Bodies& bodie
         bodies.radius(i) - height);
   };
   const std::vector<PlanePair> with_planes = in_order_of_grains(contacts.planes);
+  reserve(touching_pairs(contacts) + with_planes.size(), r);
   auto with_plane = with_planes.begin();
   const auto add_planes_up_to = [&](std::int32_t grain) {
     for (; with_plane != with_planes.end() && with_plane->grain <= grain; ++with_plane) add_plane(*with_plane);

@@ -10,7 +10,7 @@
 namespace soilweave::dem {
 
 /// Returns a checkpoint of the simulation, its clock, its table and all other parts with an archive().
-/// `keeping`: time spent on checkpoints, s.
+/// `keeping`: time spent on recording, s.
 template <class... Parts>
 io::Checkpoint checkpoint_of(const Simulation& simulation, CostClock& clock, double keeping, const io::Series& table,
                              Parts&... parts) {

@@ -21,7 +21,7 @@ struct Cost {
   std::int64_t waiting = 0;
   /// Number of waiting steps in which only the kinetic energy was above its limit.
   std::int64_t waiting_for_energy = 0;
-  /// Seconds of stepping and of writing.
+  /// Seconds of stepping, and of making and writing rows and states.
   double stepping = 0, output = 0;
   /// Sampled times of the steps.
   StepTimes times;
@@ -40,7 +40,7 @@ struct Cost {
 class CostClock {
  public:
   /// Returns the cost over all sessions. The simulation counts its steps from 0.
-  /// `keeping`: time spent on checkpoints in this session, s.
+  /// `keeping`: time spent on recording in this session, s.
   Cost cost(const Simulation& simulation, double keeping) const;
   /// Keeps the seconds of all sessions, or restores those of earlier sessions.
   void archive(const Simulation& simulation, double keeping, Archive& archive);

@@ -5,7 +5,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <utility>
 
 #include "core/error.h"
 
@@ -29,13 +28,8 @@ Keeper::Keeper(const Safekeeping& how, std::size_t grains)
   due_ = how.interval > 0 ? Clock::now() + duration(how.interval) : Clock::time_point::max();
 }
 
-void Keeper::keep(io::Checkpoint checkpoint, bool recorded) {
-  const Clock::time_point start = Clock::now();
-  part().keep(std::move(checkpoint), recorded);
-  const Clock::time_point end = Clock::now();
-  const double took = std::chrono::duration<double>(end - start).count();
-  seconds_ += took;
-  if (how_.interval > 0) due_ = end + duration(std::max(how_.interval, took / largest_share));
+void Keeper::set_next(double took) {
+  if (how_.interval > 0) due_ = Clock::now() + duration(std::max(how_.interval, took / largest_share));
 }
 
 void Keeper::stop(const char* signal) const {

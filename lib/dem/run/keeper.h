@@ -42,16 +42,30 @@ class Keeper {
     if (!keeps() || ++steps_ % look_interval_ != 0) return;
     const char* signal = how_.signals ? how_.signals->asked() : nullptr;
     if (!signal && Clock::now() < due_) return;
-    keep(make(), false);
+    keep(make, false);
     if (signal) stop(signal);
   }
-  /// Writes a checkpoint, adds its time to seconds(), and sets the time of the next one.
-  void keep(io::Checkpoint checkpoint, bool recorded);
-  /// Returns the time spent in checkpoints so far, s.
+  /// Makes and writes a checkpoint, and sets the time of the next one.
+  template <class Make>
+  void keep(const Make& make, bool recorded) {
+    set_next(timed([&] { part().keep(make(), recorded); }));
+  }
+  /// Does work that only records the run. Returns its time, which counts in seconds().
+  template <class Work>
+  double timed(const Work& work) {
+    const Clock::time_point start = Clock::now();
+    work();
+    const double took = std::chrono::duration<double>(Clock::now() - start).count();
+    seconds_ += took;
+    return took;
+  }
+  /// Returns the time spent on recording so far, checkpoints included, s.
   double seconds() const { return seconds_; }
 
  private:
   using Clock = std::chrono::steady_clock;
+  /// Sets the time of the next checkpoint after one that took `took` seconds.
+  void set_next(double took);
   /// Throws Stopped.
   [[noreturn]] void stop(const char* signal) const;
 
@@ -60,7 +74,7 @@ class Keeper {
   std::int64_t steps_ = 0, look_interval_;
   /// Time of the next checkpoint.
   Clock::time_point due_;
-  /// Time spent in checkpoints, s.
+  /// Time spent on recording, s.
   double seconds_ = 0;
 };
 

@@ -10,6 +10,8 @@
 #include <stdexcept>
 #include <string_view>
 
+#include "dem/state/overlap.h"
+
 namespace soilweave::dem {
 namespace {
 
@@ -42,14 +44,15 @@ Coordination coordination_of(const io::Snapshot& s) {
 // Quantities of a row, gathered once. Stress, strain and void ratio have no value unless the cell is periodic along all
 // axes, because other cells do not follow their grains.
 struct Moment {
-  Moment(const Simulation& of, int space, int number)
+  Moment(const Simulation& of, const io::Snapshot& state, int number)
       : simulation(of),
-        dimension(space),
+        dimension(state.grains.dimension),
         stage(number),
         stress(of.measures().stress),
         strain(of.strain()),
         void_ratio(of.void_ratio()),
-        coordination(coordination_of(of.snapshot())) {
+        coordination(coordination_of(state)),
+        largest_overlap(deepest_of(state.contacts, of.bodies()).relative) {
     if (of.cell().all_periodic()) return;
     stress.setConstant(no_value), strain.setConstant(no_value), void_ratio = no_value;
   }
@@ -66,6 +69,7 @@ struct Moment {
   Vec3 strain;
   double void_ratio;
   Coordination coordination;
+  double largest_overlap;
 };
 
 struct Quantity {
@@ -112,7 +116,7 @@ constexpr std::array quantities = {
     Quantity{"unbalanced_force", "1", "mean resultant on grains over mean contact force",
              [](const M& m) { return m.simulation.unbalanced_force(); }},
     Quantity{"largest_overlap", "1", "largest overlap over the smaller radius",
-             [](const M& m) { return m.simulation.largest_overlap(); }},
+             [](const M& m) { return m.largest_overlap; }},
     Quantity{"time_step", "s", "time step", [](const M& m) { return m.simulation.time_step(); }},
 };
 
@@ -126,8 +130,9 @@ io::Series empty_series() {
   return series;
 }
 
-void record(const Simulation& simulation, const Energies& energies, int dimension, int stage, io::Series& series) {
-  const Moment moment(simulation, dimension, stage);
+void record(const Simulation& simulation, const io::Snapshot& state, const Energies& energies, int stage,
+            io::Series& series) {
+  const Moment moment(simulation, state, stage);
   std::size_t column = 0;
   for (const Quantity& q : quantities) series.columns[column++].values.push_back(q.value(moment));
   for (const EnergyColumn& c : energies.columns()) series.columns[column++].values.push_back(c.value);

@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <random>
 #include <utility>
 
 #include "core/error.h"
@@ -19,12 +18,6 @@
 
 namespace soilweave::dem {
 namespace {
-
-// Returns a uniform number in [-1, 1) from the engine's bits alone, because standard distributions differ between
-// libraries.
-double symmetric_uniform(std::mt19937_64& engine) {
-  return 2.0 * static_cast<double>(engine() >> 11) * 0x1.0p-53 - 1.0;
-}
 
 Numerics with_clamps(const Scenario& scenario, const io::Snapshot& start) {
   Numerics numerics = scenario.numerics;
@@ -321,20 +314,23 @@ class Runner {
   }
 
   void row(std::size_t stage) {
+    keeper_.timed([this, stage] { put_row(stage, simulation_.snapshot()); });
+  }
+  void put_row(std::size_t stage, const io::Snapshot& now) {
     const Energies energies = simulation_.energies();
-    record(simulation_, energies, dimension_, static_cast<int>(stage), result_.series);
+    record(simulation_, now, energies, static_cast<int>(stage), result_.series);
     rig_.record(simulation_, result_.series);
     append(result_.series, "steps_waiting", "1", "time steps in which stations waited for rest, since the start",
            static_cast<double>(way_.waited()));
     for (const EnergyColumn& c : energies.further_columns())
       append(result_.series, std::string(c.name), "J", std::string(c.sentence), c.value);
-    if (observe_) observe_(simulation_.snapshot(), result_.series);
+    if (observe_) observe_(now, result_.series);
     if (result_.series.rows() == 1) demand_distinct_columns(result_.series);
   }
 
   void keep_state() {
     if (keeper_.keeps())
-      keeper_.keep(checkpoint(), true);
+      keeper_.keep([this] { return checkpoint(); }, true);
     else
       result_.snapshots.push_back(simulation_.snapshot());
   }
@@ -360,15 +356,6 @@ class Runner {
 };
 
 }  // namespace
-
-io::Snapshot perturbed(const io::Snapshot& packing, double fraction, std::uint64_t seed) {
-  io::Snapshot twin = packing;
-  std::mt19937_64 engine(seed);
-  for (std::size_t i = 0; i < twin.grains.size(); ++i)
-    for (int a = 0; a < twin.grains.dimension; ++a)
-      twin.grains.position[i][a] += fraction * twin.grains.radius[i] * symmetric_uniform(engine);
-  return twin;
-}
 
 void demand_apart(const io::Snapshot& state, const Scenario& scenario) {
   PlateWays ways(state, parts_of(scenario), scenario.numerics.limits.overlap);

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <cstdint>
 #include <functional>
 
 #include "core/progress.h"
@@ -13,11 +12,6 @@
 #include "files/files.h"
 
 namespace soilweave::dem {
-
-/// Returns the packing with each grain moved at random by at most `fraction` of its radius along each axis.
-/// Such a twin shows the scatter of a chaotic system. One seed gives the same twin everywhere.
-/// Contacts keep their history.
-io::Snapshot perturbed(const io::Snapshot& packing, double fraction, std::uint64_t seed);
 
 /// Appends values of a recorded state to further columns of the series, the same columns each time.
 using Observe = std::function<void(const io::Snapshot& state, io::Series& series)>;
