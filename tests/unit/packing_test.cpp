@@ -2,15 +2,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
 
+#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <fstream>
 #include <iterator>
+#include <random>
 #include <string>
 #include <vector>
 
 #include "core/error.h"
 #include "dem/state/bodies.h"
+#include "packing/expand/tile.h"
+#include "packing/generate/rows.h"
 #include "packing/generate/spatial_order.h"
 #include "support/assemblies.h"
 #include "support/distance.h"
@@ -205,14 +209,58 @@ TEST(SpatialOrder, CutsAFlatCellIntoChunksAboutAsLongAsWide) {
   }
 }
 
-TEST(SpatialOrder, LeavesWhatACacheHoldsAndRowsThatAreNamed) {
+TEST(SpatialOrder, LeavesWhatACacheHoldsAndRowsThatYarnsName) {
   const io::Snapshot few = cloud(Grading::toyoura().radii(1000, 3), 3, {1, 1, 1}, 3, 2650, 7);
   EXPECT_EQ(in_spatial_order(few).grains.position, few.grains.position);
-  io::Snapshot touching = cloud(Grading::toyoura().radii(1001, 3), 3, {1, 1, 1}, 3, 2650, 7);
-  std::reverse(touching.grains.position.begin(), touching.grains.position.end());
-  EXPECT_NE(in_spatial_order(touching).grains.position, touching.grains.position);
-  touching.contacts.bodies.push_back({0, 1});
-  EXPECT_EQ(in_spatial_order(touching).grains.position, touching.grains.position);
+  io::Snapshot reversed = cloud(Grading::toyoura().radii(1001, 3), 3, {1, 1, 1}, 3, 2650, 7);
+  std::reverse(reversed.grains.position.begin(), reversed.grains.position.end());
+  EXPECT_NE(in_spatial_order(reversed).grains.position, reversed.grains.position);
+  reversed.yarns.nodes.push_back({0, 1});
+  EXPECT_EQ(in_spatial_order(reversed).grains.position, reversed.grains.position);
+  // Rows before the first one stay, so that yarns may name them.
+  const io::Snapshot later = in_spatial_order(reversed, 2);
+  EXPECT_NE(later.grains.position, reversed.grains.position);
+  for (std::size_t i = 0; i < 2; ++i) EXPECT_EQ(later.grains.position[i], reversed.grains.position[i]);
+}
+
+TEST(SpatialOrder, BeginsItsBoxesWhereChunksBegin) {
+  io::Snapshot state = cloud(Grading::toyoura().radii(4600, 3), 3, {2, 2, 1}, 3, 2650, 7);
+  std::mt19937 engine(5);
+  std::shuffle(state.grains.position.begin(), state.grains.position.end(), engine);
+  state = in_spatial_order(state, 600);
+  for (std::size_t chunk = 1; chunk < 4; ++chunk) {
+    Vec3 low = Vec3::Constant(1e9), high = -low;
+    for (std::size_t i = chunk * dem::grains_per_chunk; i < (chunk + 1) * dem::grains_per_chunk; ++i)
+      low = low.cwiseMin(state.grains.position[i]), high = high.cwiseMax(state.grains.position[i]);
+    EXPECT_LT((high - low).prod(), 0.4 * state.cell.matrix.determinant()) << chunk;
+  }
+}
+
+TEST(SpatialOrder, TakesContactsAlong) {
+  const io::Snapshot packed = tile(support::packed(support::sand(), 1e5), {2, 2, 2}, {true, true, true});
+  io::Snapshot turned = packed;
+  // Reversed rows reverse every contact.
+  const std::size_t n = packed.grains.size();
+  turned.grains = {};
+  turned.grains.dimension = 3;
+  for (std::size_t i = n; i-- > 0;) take_grain(turned.grains, packed.grains, i);
+  turned.contacts = {};
+  for (std::size_t c = 0; c < packed.contacts.size(); ++c) {
+    const auto [first, second] = packed.contacts.bodies[c];
+    take_contact(turned.contacts, packed.contacts, c, static_cast<std::int32_t>(n) - 1 - first,
+                 static_cast<std::int32_t>(n) - 1 - second, packed.contacts.image[c]);
+  }
+  const io::Snapshot one = in_spatial_order(packed), other = in_spatial_order(turned);
+  ASSERT_EQ(one.contacts.size(), packed.contacts.size());
+  EXPECT_TRUE(std::is_sorted(one.contacts.bodies.begin(), one.contacts.bodies.end()));
+  for (std::size_t c = 0; c < one.contacts.size(); ++c) {
+    const auto row = [&](int end) { return static_cast<std::size_t>(one.contacts.bodies[c][end]); };
+    const Vec3 branch = one.grains.position[row(1)] - one.grains.position[row(0)] +
+                        one.cell.matrix * one.contacts.image[c].cast<double>();
+    EXPECT_NEAR((branch - one.contacts.branch_vector[c]).norm(), 0, 1e-12);
+  }
+  EXPECT_EQ(one.grains.body_id, other.grains.body_id);
+  EXPECT_EQ(one.contacts.shear_force, other.contacts.shear_force);
 }
 
 }  // namespace

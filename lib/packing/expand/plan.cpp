@@ -15,6 +15,7 @@
 #include "dem/run/scenario.h"
 #include "dem/state/bodies.h"
 #include "packing/expand/tile.h"
+#include "packing/generate/spatial_order.h"
 
 namespace soilweave::packing {
 namespace {
@@ -315,11 +316,11 @@ io::Snapshot assemble(const io::Snapshot& representative_volume, const Plan& pla
     scale(volume, plan.scale);
     const io::Snapshot block = tile(volume, copies_in(volume, plan));
     demand_cover(block, plan);
-    state = filter(block, [&](std::size_t i) {
+    state = in_spatial_order(filter(block, [&](std::size_t i) {
       const Vec3& x = block.grains.position[i];
       const double r = block.grains.radius[i];
       return plan.container->depth(x) >= r + plan.soil_depth() && clears_sheets(x, r, plan);
-    });
+    }));
     if (state.grains.size() == 0) throw DataError(nothing_fits(block, plan));
     if (plan.density > 0)
       for (std::size_t i = 0; i < state.grains.size(); ++i)

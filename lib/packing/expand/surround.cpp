@@ -17,6 +17,7 @@
 #include "packing/expand/reinforced.h"
 #include "packing/expand/tile.h"
 #include "packing/generate/placed.h"
+#include "packing/generate/spatial_order.h"
 
 namespace soilweave::packing {
 namespace {
@@ -271,6 +272,7 @@ Surrounded surround(const io::Snapshot& reinforced, const Surround& how, double 
     if (!all) continue;
     state.cell = {};
     state.cell.matrix = size.asDiagonal();
+    state = in_spatial_order(std::move(state), first);
     const Vec3 way = size - dense;
     result.shares = way.cwiseQuotient(size) * (size.minCoeff() / way.maxCoeff());
     return result;
