@@ -128,6 +128,19 @@ OF_A_CASE = [
       for ending, how in (("", misfit), ("_thesis", functools.partial(misfit, which=1)), ("_excess", excess)))]
 
 
+def change(first, last, name):
+    """Returns the relative change of an identified parameter from one case to another.
+
+    Raises NotMade if the middle 90 % of their weights overlap: the change is then not determined.
+    """
+    def of_both(ending):
+        return [case.identified(f"{name}{ending}", PARAMETERS[name]) for case in (first, last)]
+    if max(of_both("_low")) <= min(of_both("_high")):
+        raise NotMade(f"not determined: the middle 90 % of the weights at {first.pressure} and {last.pressure} MPa overlap")
+    before, after = of_both("")
+    return after / before - 1
+
+
 def measure(study, cases):
     """Measures each case, and the relative change of parameters from 0.2 to 8 MPa. It is positive in the direction of the thesis."""
     def case(name):
@@ -137,8 +150,7 @@ def measure(study, cases):
     for name in dict.fromkeys([*cases, *THESIS]):
         study.measure_each(OF_A_CASE, lambda name=name: [case(name)], f"_{name}")
     for short, name, sign in (("E", "young_modulus", 1), ("mu", "friction_angle", -1), ("kr", "rolling_stiffness", 1)):
-        study.measure(f"trend_{short}", lambda name=name, sign=sign: sign * (
-            case("hm_1000_8").identified(name, PARAMETERS[name]) / case("hm_1000_0.2").identified(name, PARAMETERS[name]) - 1), "1")
+        study.measure(f"trend_{short}", lambda name=name, sign=sign: sign * change(case("hm_1000_0.2"), case("hm_1000_8"), name), "1")
 
 
 def kept_cases(folder):
@@ -204,18 +216,21 @@ def draw_means(law, number):
 
 
 def draw_pressure(study, cases, kept):
-    """Draws Fig. 2.3: identified means over confining pressure, of kept runs where they have enough pressures."""
+    """Draws Fig. 2.3: identified parameters over confining pressure, of kept runs where they have enough pressures."""
     means = []
-    for law, colour in zip(LAWS, figures.SERIES, strict=False):
+    for law, colour, aside in zip(LAWS, figures.SERIES, (0.97, 1.03), strict=False):
         own = max((sorted((case for case in of if case.law == law and case.grains == 1000), key=lambda case: float(case.pressure))
                    for of in (kept.values(), cases)), key=len)
-        columns = {name: [case.identified(name, quantity(name).unit) for case in own] for name in PARAMETERS}
+        # The laws stand side by side, so that their bars do not cover each other.
+        pressure = {"confining_pressure": [aside * float(case.pressure) for case in own]}
+        low, mean, high = (Series({name: [case.identified(f"{name}{ending}", quantity(name).unit) for case in own] for name in PARAMETERS} | pressure)
+                           for ending in ("_low", "", "_high"))
         if len(own) > 2:
-            means.append(Drawn(LAWS[law], Series(columns | {"confining_pressure": [float(case.pressure) for case in own]}), colour, "o-"))
+            means.append(Drawn(LAWS[law], mean, colour, "o-", ends=(low, high)))
     if not means:
         return "Fig. 2.3, which takes cases of 1000 grains at three pressures or more"
-    study.curves("pressure", *(panel("confining_pressure", name, means, legend=name == "young_modulus", xscale="log") for name in PARAMETERS),
-                 columns=3, height=6)
+    study.curves("pressure", *(panel("confining_pressure", name, means, legend=False, xscale="log",
+                                     yscale="log" if name == "young_modulus" else "linear") for name in PARAMETERS), columns=3, height=6)
     return None
 
 

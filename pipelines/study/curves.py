@@ -11,7 +11,8 @@ _LINE = {"linewidth": 1.3, "markersize": 2.5}
 class Drawn:
     """A run as figures draw it: its name and a note for the legend, its Series, its colour and line; "o" are published points.
 
-    spread: a Series of the deviations of its values, drawn as a band.
+    spread: a Series of the deviations of its values, drawn as a band. ends: two Series, of the lower and upper ends of its values,
+    drawn as bars.
     """
 
     name: str
@@ -20,6 +21,7 @@ class Drawn:
     line: str = "-"
     note: str = ""
     spread: object = None
+    ends: object = None
 
     def words(self, line=None):
         """Returns the entry in a legend: the words of `line` if it is given, else the name of the run."""
@@ -58,6 +60,8 @@ def draw(axes, one):
                 if run.spread:
                     middle, half = run.of[name], run.spread[name]
                     axes.fill_between(run.of[one.x], middle - half, middle + half, color=colour, alpha=0.2, linewidth=0)
+                if run.ends:
+                    axes.vlines(run.of[one.x], *(end[name] for end in run.ends), color=colour, linewidth=3, alpha=0.35)
                 axes.plot(run.of[one.x], run.of[name], run.line, color=colour, label=run.words(several), **_LINE)
     first = one.runs[0].of
     x, y = first.line(one.x), first.line(names[0])
