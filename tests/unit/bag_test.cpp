@@ -1,5 +1,6 @@
 // Copies of a packing, and their part inside a container.
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <Eigen/LU>
@@ -14,6 +15,7 @@
 #include "dem/engine/simulation.h"
 #include "packing/expand/plan.h"
 #include "packing/expand/tile.h"
+#include "packing/generate/spatial_order.h"
 #include "support/assemblies.h"
 #include "support/assembly.h"
 #include "support/bags.h"
@@ -295,6 +297,23 @@ TEST(Plan, AScaledVolumeIsOfTheSameMaterial) {
       EXPECT_LT(large.contacts.shear_force[c].norm(), std::tan(29 * support::degree) * force * (1 + 1e-6)) << scale;
     }
   }
+}
+
+// Nodes come after the soil: mixed with it, they made steps slower (lib/PERFORMANCE.md).
+TEST(Plan, SoilIsSortedInSpaceAndNodesFollowIt) {
+  const io::Snapshot one = support::packed(support::sand(), 1e5);
+  const double wide = 1.9 * one.cell.matrix(0, 0), high = 0.45 * one.cell.matrix(2, 2);
+  const std::string plan = fmt::format(
+      "[container]\nshape = \"box\"\nlow = [-{0}, -{0}, -{1}]\nhigh = [{0}, {0}, {1}]\ncopies = [4, 4, 1]\n"
+      "[geotextile_mesh]\ncells = [10, 10, 4]\nnode_radius = \"2 mm\"\noffset = 0\n",
+      wide, high);
+  const io::Snapshot state = assemble(one, read_plan(plan + materials, "plan", {}));
+  const std::vector<std::int32_t>& copy = state.grains.copy_id;
+  ASSERT_TRUE(std::is_partitioned(copy.begin(), copy.end(), [](std::int32_t c) { return c >= 0; }));
+  const io::Snapshot soil = filter(state, [&](std::size_t i) { return copy[i] >= 0; });
+  ASSERT_GT(soil.grains.size(), dem::grains_per_chunk);
+  EXPECT_EQ(in_spatial_order(soil).grains.body_id, soil.grains.body_id);
+  EXPECT_FALSE(std::is_sorted(soil.grains.body_id.begin(), soil.grains.body_id.end()));
 }
 
 TEST(Plan, SoilBeginsWhereTheNodesOnTheSurfaceEnd) {
