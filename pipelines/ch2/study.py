@@ -75,8 +75,10 @@ def case_table(cases):
                "effective sets, all rounds": f"{case.steps[-1]('effective_size', '1')[-1]:.3g}"}
         for name in PARAMETERS:
             unit = quantity(name).unit
-            row[f"{quantity(name).words} ({unit})" if unit != "1" else quantity(name).words] = (
-                f"{case.identified(name, unit):.3g} ± {case.identified(f'{name}_deviation', unit):.2g}")
+            mean, deviation = case.identified(name, unit), case.identified(f"{name}_deviation", unit)
+            # A deviation below the digits that are shown is one of rounding, or of a weight that counts for nothing.
+            shown = f"{deviation:.2g}" if deviation > 5e-4 * abs(mean) else "0"
+            row[f"{quantity(name).words} ({unit})" if unit != "1" else quantity(name).words] = f"{mean:.3g} ± {shown}"
         for head, cell in row.items():
             columns.setdefault(head, []).append(cell)
     return columns
