@@ -314,6 +314,15 @@ def test_reasons_tell_which_sets_later_rounds_find_and_how_these_agree():
     assert chapter.excess(case, "near", "stress_ratio_misfit_relative") > 0
 
 
+def test_a_reason_tells_that_the_thesis_s_set_is_better_than_those_of_a_case_of_few_sets():
+    words = (chapter.HERE / "words.toml").read_text().replace("\\\n", "")
+    case = Case(chapter.HERE / "kept", "cl_2000_0.2", 3)
+    (own, thesis), (own_volume, thesis_volume) = ([chapter.misfit(case, "near", column, which=k)[0] for k in (0, 1)]
+                                                  for column in ("stress_ratio_misfit_relative", "strain_volumetric_misfit"))
+    assert f"stress ratio {thesis:.1f} %, of the volumetric strain {thesis_volume:.2f} %) than the set" in words
+    assert f"identified ({own:.1f} %, {own_volume:.2f} %)" in words
+
+
 def test_inputs_are_what_runs_and_filter_read(out, tmp_path):
     failure = tmp_path / "failure.tsv"
     write(failure, confining_pressure=("kPa", [200, 1000]), obliquity_at_failure=("1", [1.5, 1.2]))
