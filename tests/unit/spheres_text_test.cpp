@@ -145,6 +145,60 @@ TEST_F(Spheres, CommentsAboveTheGrainsAreObeyedOrRefused) {
   refuses("#format x_y_z_r\n#x_mm y_mm z_mm d_mm" + row, "line 2: the comment names other columns or units");
 }
 
+TEST_F(Spheres, CommentsGiveUnitsThatAreKnownOrAreRefused) {
+  const std::string row = "\n1000 2000 3000 250\n4000 5000 6000 500\n", metres = "\n1 2 3 0.25\n4 5 6 0.5\n";
+  for (const char* said : {"# [mm]", "# mm", "# unit=mm", "# x/mm y/mm z/mm r/mm"}) reads(said + row);
+  for (const char* said : {"# units: SI", "# all lengths in metres", "# d50 = 375 mm", "# sieves of 250 to 500 mm"})
+    reads(said + metres);
+  refuses("# units: millimeter" + row,
+          "line 1: the comment gives a unit of length: 'millimeter' is not a known unit; did you mean 'mm'?");
+  refuses("# UNITS: MM" + row, "did you mean 'mm'?");
+  refuses("# units: cgs" + row, "'cgs' is not a known unit");
+  refuses("# all lengths in centimetres" + row, "did you mean 'cm'?");
+  refuses("# lengths in inches" + row, "'inches' is not a known unit");
+  refuses("# scale: mm" + row, "whether lengths are in mm is not clear here");
+}
+
+TEST_F(Spheres, CommentsThatSeemToNameColumnsAreRefused) {
+  reads("# xpos ypos zpos dia\n1 2 3 0.5\n4 5 6 1\n");
+  refuses("# x y z size\n1 2 3 0.5\n", "line 1: the comment seems to name the columns, and is not understood");
+  refuses("# size of x y\n1 2 3 0.5\n", "seems to name the columns");
+  refuses("# position and diameter of grains\n1 2 3 0.5\n", "line 1: the comment speaks of diameters");
+}
+
+TEST_F(Spheres, CommentsBelowTheFirstGrainChangeNothing) {
+  const std::string rows = "1 2 3 0.25\n4 5 6 0.5\n";
+  reads(rows + "# the end, 2 grains, of at most 500 mm\n");
+  reads(rows + "# units: m\n");
+  for (const char* said : {"#format x_y_z_r", "# x y z r", "# x y z d", "# box 9 9 9"})
+    refuses(rows + said + "\n7 8 9 0.25\n", "line 3: a comment below the first grain names columns or a cell");
+  refuses(rows + "# units: mm\n", "line 3: the comment gives lengths in mm, the columns another unit");
+}
+
+TEST_F(Spheres, ACellInAnotherSpellingIsRefused) {
+  const std::string row = "\n1 2 3 0.25\n4 5 6 0.5\n";
+  for (const char* said :
+       {"##PERIODIC 9 9 9", "# periodic: 9 9 9", "# periodic 9 9", "# Box size: 9, 9, 9", "# cell 0 9 0 9 0 9"})
+    refuses(said + row, "line 1: write ##PERIODIC:: Lx Ly Lz (disks: Lx Ly), as it stands here");
+  for (const char* said : {"# periodic cell, 0.2 MPa", "# sizes 0.25 0.5", "# 2 grains"}) reads(said + row);
+  CellRecord cell;
+  cell.matrix = Mat3::Identity() * 9;
+  EXPECT_EQ(read("# box 9 9 9" + row, cell).cell.matrix, cell.matrix);
+}
+
+TEST_F(Spheres, AGrainOfAnotherTimeStepIsRefused) {
+  refuses("id x y z r\n1 0 0 0 1\n2 4 0 0 1\n1 0 4 0 1\n", "line 4, column 1: the number 1 again, which line 2 has");
+  refuses("#format id_x_y_z_r\n0 0 0 0 1\n0 4 0 0 1\n", "line 3, column 1: the number 0 again");
+  refuses("TimeStep,x,y,z,r\n0,0,0,0,1\n1,0,4,0,1\n", "line 3, column 1: 1 below 0: are these two time steps");
+  reads("step id x y z r\n7 1 1 2 3 0.25\n7 2 4 5 6 0.5\n");
+}
+
+TEST_F(Spheres, AMarkWithinAWordBeginsNoComment) {
+  refuses("x y z r\n0 0 0 1.#QNAN\n", "line 2, column 4: \"1.#QNAN\" is no finite number");
+  refuses("r x y z\n1 0 0 -1.#IND\n", "line 2, column 4: \"-1.#IND\" is no finite number");
+  reads("1,2,3,0.25 #a\n4,5,6,0.5\t# b\n");
+}
+
 TEST_F(Spheres, TheCellHasTheUnitOfTheColumns) {
   for (const char* names : {"x [mm],y [mm],z [mm],r [mm]\n", "# x [mm],y [mm],z [mm],r [mm]\n", "# units: mm\n"}) {
     const Snapshot state = read(std::string("##PERIODIC:: 46 46 92\n") + names + "10,10,10,3\n30,30,40,4\n");
@@ -203,10 +257,20 @@ TEST_F(Spheres, DisksAreReadFromText) {
 TEST_F(Spheres, FormatsOfOtherProgramsAreNamedWithAWayToConvertThem) {
   refuses("ITEM: TIMESTEP\n0\nITEM: ATOMS id type x y z radius\n1 1 1 1 1 0.5\n",
           "a dump of LAMMPS or LIGGGHTS; take its first step by: awk ");
+  const auto box = [&](const std::string& bounds, const std::string& words) {
+    refuses("ITEM: TIMESTEP\n0\nITEM: BOX BOUNDS" + bounds + "\nITEM: ATOMS x y z radius\n1 1 1 0.5\n",
+            "> NEW; " + words);
+  };
+  box(" pp pp pp\n0 4\n1 4\n0 5", "give its box by --cell 4,3,5");
+  box("\n0 4\n1 4\n0 5", "if its box is periodic, give it by --cell 4,3,5");
+  box(" ff ff ff\n0 4\n1 4\n0 5", "its box is not periodic, so give no --cell");
+  box(" pp pp ff\n0 4\n1 4\n0 5", "its box is not periodic along all axes");
+  box(" xy xz yz pp pp pp\n0 4 0\n1 4 0\n0 5 1", "its box is tilted");
   refuses("ITEM: TIMESTEP\n0\nITEM: ATOMS id type xs ys zs\n1 1 1 1 1\n",
           "a dump of LAMMPS or LIGGGHTS without columns");
   refuses("1\nLattice=\"4 0 0\" Properties=species:S:1:pos:R:3:radius:R:1\nA 1 1 1 0.5\n",
-          "an XYZ file; name its columns by: (echo 'species x y z radius'; tail -n +3 FILE) > NEW");
+          "an XYZ file; name the columns of its first step by: (echo 'species x y z radius'; sed -n '3,3p' FILE) > "
+          "NEW; if its Lattice");
   refuses("1\ncomment\nA 1 1 1\n", "an XYZ file without radii");
   refuses("2\n1 1 1 0.5\n3 1 1 0.5\n", "a list below the number of its grains; leave the first line out");
   refuses("1 0 0 0.01 0 1 1 1\n0.2 0.2 0.2 0.1 0 0 0.05 0 0 0 0 0 0 0\n",

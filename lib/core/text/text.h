@@ -11,6 +11,9 @@
 
 namespace soilweave {
 
+/// Returns the text with small letters for capitals (of ASCII).
+std::string lower_case(std::string_view text);
+
 /// Returns the nearest known name by edits, or an empty text if none is near.
 std::string nearest(std::string_view name, const std::vector<std::string>& known);
 

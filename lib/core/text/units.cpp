@@ -13,6 +13,7 @@
 
 #include "core/error.h"
 #include "core/text/number_word.h"
+#include "core/text/text.h"
 
 namespace soilweave {
 namespace {
@@ -68,29 +69,22 @@ struct Spelling {
 };
 
 /// Words for units, in lower case and without a plural s.
-constexpr std::array spellings{Spelling{"metre", "m"},        Spelling{"meter", "m"},   Spelling{"millimetre", "mm"},
-                               Spelling{"millimeter", "mm"},  Spelling{"micron", "um"}, Spelling{"micrometre", "um"},
-                               Spelling{"micrometer", "um"},  Spelling{"percent", "%"}, Spelling{"pct", "%"},
-                               Spelling{"degree", "deg"},     Spelling{"sec", "s"},     Spelling{"second", "s"},
-                               Spelling{"kilopascal", "kPa"}, Spelling{"pascal", "Pa"}, Spelling{"gram", "g"},
-                               Spelling{"kilogram", "kg"},    Spelling{"hour", "h"},    Spelling{"minute", "min"},
-                               Spelling{"hr", "h"},           Spelling{"ton", "t"},     Spelling{"tonne", "t"},
-                               Spelling{"newton", "N"},       Spelling{"mu m", "um"},   Spelling{"mum", "um"}};
-
-std::string lower(std::string_view text) {
-  std::string small(text);
-  std::transform(small.begin(), small.end(), small.begin(), [](unsigned char c) { return std::tolower(c); });
-  return small;
-}
+constexpr std::array spellings{
+    Spelling{"metre", "m"},        Spelling{"meter", "m"},       Spelling{"millimetre", "mm"},
+    Spelling{"millimeter", "mm"},  Spelling{"micron", "um"},     Spelling{"micrometre", "um"},
+    Spelling{"micrometer", "um"},  Spelling{"percent", "%"},     Spelling{"pct", "%"},
+    Spelling{"degree", "deg"},     Spelling{"sec", "s"},         Spelling{"second", "s"},
+    Spelling{"kilopascal", "kPa"}, Spelling{"pascal", "Pa"},     Spelling{"gram", "g"},
+    Spelling{"kilogram", "kg"},    Spelling{"hour", "h"},        Spelling{"minute", "min"},
+    Spelling{"hr", "h"},           Spelling{"ton", "t"},         Spelling{"tonne", "t"},
+    Spelling{"centimetre", "cm"},  Spelling{"centimeter", "cm"}, Spelling{"kilometre", "km"},
+    Spelling{"kilometer", "km"},   Spelling{"newton", "N"},      Spelling{"mu m", "um"},
+    Spelling{"mum", "um"}};
 
 /// Returns "; did you mean 'kPa'?" for a misspelt unit, or lists the units of the field.
 std::string unit_suggestion(std::string_view symbol) {
-  std::string small = lower(symbol);
-  for (const std::string_view known : common)
-    if (lower(known) == small) return fmt::format("; did you mean '{}'?", known);
-  if (small.size() > 3 && small.ends_with('s')) small.pop_back();
-  for (const Spelling& spelling : spellings)
-    if (spelling.written == small) return fmt::format("; did you mean '{}'?", spelling.symbol);
+  if (const std::string_view meant = unit_meant(symbol); !meant.empty())
+    return fmt::format("; did you mean '{}'?", meant);
   return fmt::format("; known: {}, and products such as kg/m3", fmt::join(common, ", "));
 }
 
@@ -178,6 +172,16 @@ double unit_factor(std::string_view from, std::string_view to) {
   const Unit given = parsed(from), wanted = parsed(to);
   if (given.powers != wanted.powers) throw DataError(fmt::format("'{}' does not measure what '{}' measures", from, to));
   return given.factor / wanted.factor;
+}
+
+std::string_view unit_meant(std::string_view word) {
+  std::string small = lower_case(word);
+  for (const std::string_view known : common)
+    if (lower_case(known) == small) return known;
+  if (small.size() > 3 && small.ends_with('s')) small.pop_back();
+  for (const Spelling& spelling : spellings)
+    if (spelling.written == small) return spelling.symbol;
+  return "";
 }
 
 void demand_unit(std::string_view unit) { (void)parsed(unit); }

@@ -16,6 +16,9 @@ inline constexpr double degree = std::numbers::pi / 180;
 /// Throws DataError if a part is no unit, or if the units measure different things.
 double unit_factor(std::string_view from, std::string_view to);
 
+/// Returns the unit that a misspelt one probably is ("mm" for MM and for millimeter); empty if none is near.
+std::string_view unit_meant(std::string_view word);
+
 /// Throws DataError with the nearest unit if the text is none.
 void demand_unit(std::string_view unit);
 

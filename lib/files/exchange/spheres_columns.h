@@ -1,4 +1,4 @@
-// Identifies the columns of a text of spheres.
+// Identifies the columns of a text of spheres by their names.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -8,6 +8,14 @@
 #include <vector>
 
 namespace soilweave::io {
+
+/// Meaning of a column.
+enum class SphereRole { x, y, z, radius, diameter, other };
+
+/// Returns the meaning of a column from its name, which may have a unit, as in "x [mm]".
+SphereRole column_role(const std::string& name);
+/// Returns whether a word is a unit of length, such as mm.
+bool is_length(std::string_view unit);
 
 /// Columns of a text of spheres, counted from 0.
 struct SphereColumns {
@@ -22,6 +30,9 @@ struct SphereColumns {
   double length_factor = 1;
   bool has_unit = false;
   std::vector<std::string> unused;  // names of the other columns
+  /// Columns that number the grains, and that tell the time, if there are any. They only show whether one packing is
+  /// given.
+  std::optional<std::size_t> id, time;
 
   /// Returns whether the column is ignored.
   bool is_unused(std::size_t column) const { return column != x && column != y && column != size && z != column; }
@@ -35,23 +46,6 @@ SphereColumns named_columns(const std::vector<std::string>& names);
 
 /// Returns the columns of YADE's line "#format x_y_z_r"; nothing for other lines. Throws DataError for unknown columns.
 std::optional<SphereColumns> yade_columns(std::string_view line);
-
-/// Columns and unit that a comment above the grains states.
-struct ColumnComment {
-  /// Columns, as in "# x y z r".
-  std::optional<SphereColumns> columns;
-  /// Reason why the comment is not understood, although it names x, y and a size.
-  std::string unclear;
-  /// Unit of length, as in "# units: mm"; empty if there is none, or columns have it.
-  std::string unit;
-  /// Whether the unit may belong to something else, because other words surround it, as in "# resolution in mm".
-  bool unit_is_vague = false;
-
-  /// Returns whether the comment names columns.
-  bool names_columns() const { return columns || !unclear.empty(); }
-};
-/// Returns the columns and unit that a comment states; empty for other comments.
-ColumnComment column_comment(std::string_view line);
 
 /// Returns the names in a header line, with a separate unit joined to its name.
 std::vector<std::string> header_names(std::string_view line, char separator);

@@ -31,6 +31,30 @@ bool numbers(const std::vector<std::string>& words) {
   return std::all_of(words.begin(), words.end(), [](const std::string& w) { return number_of(w).has_value(); });
 }
 
+/// Returns how to give the box of a dump: its lengths, or why it cannot be given.
+std::string box_of_dump(std::string_view text) {
+  constexpr std::string_view mark = "ITEM: BOX BOUNDS";
+  const std::size_t at = text.find(mark);
+  if (at == text.npos) return "it has no box";
+  const std::vector<std::string_view> lines = head(text.substr(at + mark.size()), 4);
+  const std::vector<std::string> kinds = cells(lines[0], ' ');
+  if (kinds.size() > 3) return "its box is tilted, which no text of spheres can say: dump it from an upright box";
+  std::vector<std::string> lengths;
+  for (std::size_t k = 1; k < lines.size(); ++k) {
+    const std::vector<std::string> ends = cells(lines[k], ' ');
+    const auto low = ends.empty() ? std::nullopt : number_of(ends[0]);
+    const auto high = ends.size() < 2 ? std::nullopt : number_of(ends[1]);
+    if (low && high) lengths.push_back(fmt::format("{}", *high - *low));
+  }
+  const auto periodic = std::count(kinds.begin(), kinds.end(), "pp");
+  const std::string cell = fmt::format("--cell {}", fmt::join(lengths, ","));
+  if (lengths.size() != 3) return "its box is not understood";
+  if (kinds.empty()) return "if its box is periodic, give it by " + cell;
+  if (kinds.size() == 3 && periodic == 0) return "its box is not periodic, so give no --cell";
+  if (periodic != 3) return "its box is not periodic along all axes, so a --cell would add boundaries that it has not";
+  return "give its box by " + cell;
+}
+
 std::string dump(std::string_view text) {
   const std::string_view what = "a dump of LAMMPS or LIGGGHTS";
   constexpr std::string_view mark = "ITEM: ATOMS ";
@@ -39,13 +63,13 @@ std::string dump(std::string_view text) {
       at == text.npos ? "" : text.substr(at + mark.size(), text.find('\n', at) - at - mark.size());
   const std::vector<std::string> names = cells(columns, ' ');
   const auto has = [&](const char* name) { return std::find(names.begin(), names.end(), name) != names.end(); };
-  if (!has("x") || !has("y") || !(has("radius") || has("diameter")))
+  if (!has("x") || !has("y") || !has("z") || !(has("radius") || has("diameter")))
     return fmt::format("{} without columns x y z radius; dump these: dump custom ... id x y z radius", what);
   return fmt::format(
       "{}; take its first step by: awk '/^ITEM:/ {{ on = 0 }} on; /^ITEM: ATOMS/ {{ if (n++) exit; on = 1; print "
       "substr($0, {}) "
-      "}}' FILE > NEW, and give its box by --cell",
-      what, mark.size() + 1);
+      "}}' FILE > NEW; {}",
+      what, mark.size() + 1, box_of_dump(text));
 }
 
 /// Returns the column names of an extended XYZ file, from Properties=species:S:1:pos:R:3:radius:R:1.
@@ -71,12 +95,15 @@ std::string properties(std::string_view comment) {
   return fmt::format("{}", fmt::join(names, " "));
 }
 
-std::string xyz(const std::vector<std::string_view>& lines) {
+std::string xyz(const std::vector<std::string_view>& lines, double grains) {
   const std::string names = properties(lines[1]);
   const std::size_t width = cells(lines[2], ' ').size();
   if (names.empty() && width < 5) return "an XYZ file without radii; write x y z r a line";
-  return fmt::format("an XYZ file; name its columns by: (echo '{}'; tail -n +3 FILE) > NEW",
-                     names.empty() ? "element x y z r" : names);
+  return fmt::format("an XYZ file; name the columns of its first step by: (echo '{}'; sed -n '3,{}p' FILE) > NEW{}",
+                     names.empty() ? "element x y z r" : names, static_cast<std::int64_t>(grains) + 2,
+                     lines[1].find("Lattice=") == lines[1].npos
+                         ? ""
+                         : "; if its Lattice is upright and periodic, give the three lengths by --cell");
 }
 
 std::string mercury(double grains, std::size_t width) {
@@ -135,7 +162,7 @@ std::string foreign_spheres(std::string_view text) {
   const std::vector<std::string> first = cells(lines[0], ' '), second = cells(lines[1], ' ');
   const double count = first.empty() ? 0 : number_of(first[0]).value_or(0);
   if (!(count >= 1 && count == std::floor(count) && count < 1e15)) return "";
-  if (first.size() == 1 && lines.size() > 2 && !(second.size() >= 3 && numbers(second))) return xyz(lines);
+  if (first.size() == 1 && lines.size() > 2 && !(second.size() >= 3 && numbers(second))) return xyz(lines, count);
   if (first.size() == 1 && second.size() >= 3)
     return "a list below the number of its grains; leave the first line out: tail -n +2 FILE > NEW";
   const bool three = first.size() == 8 && second.size() == 14, two = first.size() == 6 && second.size() == 8;

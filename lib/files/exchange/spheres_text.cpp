@@ -6,16 +6,17 @@
 
 #include <Eigen/LU>
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <numbers>
 #include <optional>
+#include <unordered_map>
 #include <utility>
 
 #include "core/error.h"
 #include "core/text/number_word.h"
 #include "core/text/units.h"
 #include "files/exchange/spheres_columns.h"
+#include "files/exchange/spheres_comments.h"
 #include "files/exchange/spheres_foreign.h"
 #include "files/exchange/table.h"
 #include "store/bytes.h"
@@ -35,24 +36,19 @@ char separator_of_numbers(std::string_view line) {
   return ',';
 }
 
-/// Returns whether a comment was probably meant to be a line ##PERIODIC::, in another spelling.
-bool is_like_the_mark(std::string_view comment) {
-  std::string word;
-  for (const char c : comment.substr(0, std::min<std::size_t>(comment.size(), 40)))
-    if (c != '#' && c != ' ' && c != '\t') word += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  return word.starts_with("periodic:");
+/// Returns where a comment begins in a line: at the first # that stands behind a blank or a separator, or first in the
+/// line.
+std::size_t comment_in(std::string_view line) {
+  std::size_t at = line.find('#');
+  while (at != line.npos && at > 0 && std::string_view(" \t,;").find(line[at - 1]) == std::string_view::npos)
+    at = line.find('#', at + 1);
+  return at;
 }
-
-/// Comment that names columns or their unit.
-struct Comment {
-  std::size_t line;
-  ColumnComment said;
-};
 
 class SpheresReader {
  public:
   SpheresReader(const std::string& where, const SpheresOptions& options)
-      : where_(where), options_(options), dimension_(options.dimension) {}
+      : where_(where), options_(options), dimension_(options.dimension), comments_(where) {}
 
   void line(std::string_view text) {
     ++line_;
@@ -60,7 +56,7 @@ class SpheresReader {
     const std::string_view all = trimmed(plain);
     if (all.starts_with(periodic_mark)) return periodic_cell(all.substr(periodic_mark.size()));
     if (all.starts_with('#')) return comment(all);
-    const std::string_view kept = trimmed(all.substr(0, all.find('#')));
+    const std::string_view kept = trimmed(all.substr(0, comment_in(all)));
     if (kept.empty()) return;
     if (!columns_) {
       const char separator = separator_of(kept);
@@ -68,7 +64,7 @@ class SpheresReader {
       if (std::none_of(names.begin(), names.end(), is_number)) return header(names, separator);
     }
     // Tabs at the end of the line stay, because they separate empty cells.
-    grain(std::string_view(plain).substr(0, plain.find('#')));
+    grain(std::string_view(plain).substr(0, comment_in(plain)));
   }
 
   ImportedSpheres finish() {
@@ -116,7 +112,7 @@ class SpheresReader {
   void periodic_cell(std::string_view text) {
     if (has_cell_) fail("a second ##PERIODIC:: line; keep the one of the packing");
     if (state_.grains.size() > 0) fail("##PERIODIC:: belongs before the first grain");
-    text = trimmed(text.substr(0, text.find('#')));
+    text = trimmed(text.substr(0, comment_in(text)));
     const std::vector<std::string> lengths = cells(text, separator_of_numbers(text));
     if (lengths.size() != 3 && lengths.size() != 2)
       fail(0, "three cell lengths, of disks two, belong behind ##PERIODIC::");
@@ -139,40 +135,13 @@ class SpheresReader {
   }
 
   void comment(std::string_view text) {
-    if (is_like_the_mark(text)) fail(fmt::format("write {} Lx Ly Lz (disks: Lx Ly), as it stands here", periodic_mark));
-    if (state_.grains.size() > 0) return;
+    if (state_.grains.size() > 0) return comments_.below(line_, text, *columns_);
     try {
       if (auto columns = columns_ ? std::nullopt : yade_columns(text)) return take(std::move(*columns), ' ');
     } catch (const DataError& error) {
       fail(error.what());
     }
-    ColumnComment said = column_comment(text);
-    if (said.names_columns() || !said.unit.empty()) comments_.push_back({line_, std::move(said)});
-  }
-
-  [[noreturn]] void fail(const Comment& comment, const std::string& what) const {
-    throw DataError(
-        fmt::format("{}: line {}: {}; write a line of names without #, one for each column, such as "
-                    "x [mm] y [mm] z [mm] r [mm], or leave the comment out",
-                    where_, comment.line, what));
-  }
-
-  /// Takes the unit that comments give. Throws DataError if a comment contradicts the columns.
-  void heed_comments() {
-    SphereColumns& c = *columns_;
-    for (const Comment& comment : comments_) {
-      const ColumnComment& said = comment.said;
-      if (said.columns && (said.columns->size_factor != c.size_factor ||
-                           (said.columns->has_unit && said.columns->length_factor != c.length_factor)))
-        fail(comment, "the comment names other columns or units than the line of names");
-      if (said.unit.empty()) continue;
-      const double factor = unit_factor(said.unit, "m");
-      if (said.unit_is_vague && (c.has_unit || factor == 1)) continue;
-      if (said.unit_is_vague) fail(comment, fmt::format("whether lengths are in {} is not clear here", said.unit));
-      if (c.has_unit && factor != c.length_factor)
-        fail(comment, fmt::format("the comment gives lengths in {}, the columns another unit", said.unit));
-      c.length_factor = factor, c.has_unit = true;
-    }
+    comments_.add(line_, text, options_.cell.has_value());
   }
 
   void header(const std::vector<std::string>& names, char separator) {
@@ -190,31 +159,11 @@ class SpheresReader {
     separator_ = separator;
   }
 
-  /// Takes the columns of the last comment that fits the lines. Returns false if no comment names columns. Throws
-  /// DataError if none fits.
-  bool take_commented(std::size_t width) {
-    const Comment* unfit = nullptr;
-    for (auto comment = comments_.rbegin(); comment != comments_.rend(); ++comment) {
-      if (!comment->said.names_columns()) continue;
-      const std::optional<SphereColumns>& columns = comment->said.columns;
-      if (columns && columns->width == width && (columns->z || dimension_ != 3)) {
-        take(*columns, separator_);
-        return true;
-      }
-      if (!unfit) unfit = &*comment;
-    }
-    if (!unfit) return false;
-    const std::optional<SphereColumns>& columns = unfit->said.columns;
-    if (!columns) fail(*unfit, "columns in a comment that is not understood: " + unfit->said.unclear);
-    if (columns->width == width) fail(*unfit, "a comment that names no column z, which spheres need");
-    fail(*unfit, fmt::format("the comment names {} columns, and lines have {}", columns->width, width));
-  }
-
   /// Determines the columns of a text that begins with numbers.
   void begin(std::string_view text) {
     separator_ = separator_of_numbers(trimmed(text));
     const std::vector<std::string> words = cells(text, separator_);
-    if (take_commented(words.size())) return;
+    if (const auto columns = comments_.columns(words.size(), dimension_)) return take(*columns, separator_);
     take(plain_columns(dimension_.value_or(3)), separator_);
     // Decimal commas would look like too many columns, so words that are no numbers are reported first.
     for (std::size_t k = 0; k < words.size(); ++k)
@@ -227,7 +176,7 @@ class SpheresReader {
 
   void grain(std::string_view text) {
     if (!columns_) begin(text);
-    if (state_.grains.size() == 0) heed_comments();
+    if (state_.grains.size() == 0) comments_.heed(*columns_);
     const std::vector<std::string> words = cells(text, separator_);
     const SphereColumns& c = *columns_;
     if (words.size() != c.width)
@@ -237,10 +186,25 @@ class SpheresReader {
                separator_ == ',' && words.size() > c.width ? "; with decimal commas among them? write points" : ""));
     for (std::size_t k = 0; k < c.width; ++k)
       if (!c.is_unused(k)) value(words, k);  // throws for the first column that is no number
+    demand_one_packing(words);
     const Vec3 position(value(words, c.x), value(words, c.y), c.z ? value(words, *c.z) : 0);
     const double size = value(words, c.size);
     if (!(size > 0)) fail(c.size, fmt::format("a {} that is not positive", c.size_factor == 1 ? "radius" : "diameter"));
     append(position * c.length_factor, size * c.size_factor * c.length_factor);
+  }
+
+  /// Throws DataError if a grain's number comes again or the time changes, as where a file holds several time steps.
+  void demand_one_packing(const std::vector<std::string>& words) {
+    constexpr std::string_view remedy = ": are these two time steps or packings? keep the lines of one";
+    if (const auto id = columns_->id) {
+      const auto [first, is_new] = first_line_.try_emplace(words[*id], line_);
+      if (!is_new && !words[*id].empty())
+        fail(*id, fmt::format("the number {} again, which line {} has{}", words[*id], first->second, remedy));
+    }
+    if (const auto time = columns_->time) {
+      if (!time_) time_ = words[*time];
+      if (*time_ != words[*time]) fail(*time, fmt::format("{} below {}{}", words[*time], *time_, remedy));
+    }
   }
 
   void append(const Vec3& position, double radius) {
@@ -290,7 +254,9 @@ class SpheresReader {
   bool has_cell_ = false;
   char separator_ = ' ';
   std::optional<SphereColumns> columns_;
-  std::vector<Comment> comments_;  // above the first grain
+  SpheresComments comments_;
+  std::unordered_map<std::string, std::size_t> first_line_;  // by the number of a grain
+  std::optional<std::string> time_;
   Snapshot state_;
 };
 
