@@ -137,9 +137,9 @@ SINGLE := $(ROUNDED) $(SWEPT) $(LISTING) lib/core/linear_algebra.cpp lib/core/pr
 JOINED := $(if $(NO_PCH)$(COVERAGE),,$(filter-out $(SINGLE),$(LIB)))
 # A folder is written with a point for a slash here.
 COLD_UNITS := store+files+files.exchange+display core.cli+core.text gws.design+gws.laboratory+gws.output$(if $(SANITIZE),+gws.identification) \
-  dem.run+analysis.tables fem.mesh+fem.run+calibration.output $(if $(SANITIZE),,calibration)
+  dem.run+analysis.doubts+analysis.tables fem.mesh+fem.run+calibration.output $(if $(SANITIZE),,calibration)
 WARM_UNITS := $(if $(SANITIZE),dem.contact+dem.engine+dem.loading+dem.state+dem.sweep packing.container+packing.container.shapes+packing.expand+packing.generate \
-  analysis.input+analysis.measure fem.material+fem.model)
+  analysis.measure fem.material+fem.model)
 folder_of = $(subst /,.,$(patsubst lib/%/,%,$(dir $(1))))
 folders_of = $(subst +, ,$(1))
 UNITS := $(if $(JOINED),rounded $(COLD_UNITS) $(WARM_UNITS) $(filter-out $(call folders_of,$(COLD_UNITS) $(WARM_UNITS)),$(sort $(call folder_of,$(JOINED)))))

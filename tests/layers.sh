@@ -17,7 +17,7 @@ rooms=(
   core core/simd core/text core/cli
   store files files/exchange display
   dem/state dem/contact dem/sweep dem/engine dem/engine/energies dem/loading dem/run
-  analysis/measure analysis/input analysis/tables
+  analysis/measure analysis/doubts analysis/tables
   packing/generate packing/container packing/expand
   calibration calibration/output
   gws/laboratory gws/solution gws/identification gws/design gws/output

@@ -6,11 +6,11 @@
 #include <string>
 #include <vector>
 
-#include "analysis/input/input_doubts.h"
+#include "analysis/doubts/input_doubts.h"
+#include "analysis/doubts/loading_doubts.h"
+#include "analysis/doubts/material_doubts.h"
 #include "analysis/measure/volume_of_interest.h"
 #include "analysis/tables/doubts.h"
-#include "analysis/tables/loading_doubts.h"
-#include "analysis/tables/material_doubts.h"
 #include "core/cli/tool.h"
 #include "core/error.h"
 #include "core/progress.h"

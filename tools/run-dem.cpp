@@ -3,9 +3,9 @@
 #include <string>
 #include <vector>
 
+#include "analysis/doubts/plane_doubts.h"
 #include "analysis/tables/bag.h"
 #include "analysis/tables/doubts.h"
-#include "analysis/tables/plane_doubts.h"
 #include "core/cli/tool.h"
 #include "core/error.h"
 #include "core/progress.h"

@@ -1,12 +1,14 @@
 // Doubts about the materials and stages of a scenario: what is said, and that the remedy ends it.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "analysis/tables/loading_doubts.h"
+#include "analysis/doubts/loading_doubts.h"
 
 #include <gtest/gtest.h>
 
 #include <string>
 
-#include "analysis/tables/material_doubts.h"
+#include "analysis/doubts/idle_doubts.h"
+#include "analysis/doubts/material_doubts.h"
+#include "analysis/tables/doubts.h"
 #include "support/assembly.h"
 
 namespace soilweave {
@@ -157,6 +159,79 @@ TEST(DoubtsOfLoading, GrainsTooSoftForTheirStress) {
   EXPECT_NE(only(analysis::overlap_doubts(state)).find("the mean overlap is 0.06 of the mean radius, more than 0.05"),
             std::string::npos);
   EXPECT_TRUE(analysis::overlap_doubts({}).empty());
+}
+
+// Rows of a run whose columns hold these values, one after the other.
+io::Series rows(const std::vector<std::pair<std::string, std::vector<double>>>& columns) {
+  io::Series series;
+  for (const auto& [name, values] : columns) series.columns.push_back({name, "1", name, values});
+  return series;
+}
+
+dem::Scenario pressed(const std::string& stages) {
+  return plan(
+      "[[plane]]\nname = \"top\"\npoint = [0, 0, 1]\nnormal = [0, 0, -1]\n[[plane]]\nname = \"bottom\"\n"
+      "point = [0, 0, 0]\nnormal = [0, 0, 1]\n" +
+      stages);
+}
+
+TEST(DoubtsOfLoading, PlatesThatMoveOnAndPressNothing) {
+  const dem::Scenario up_and_down =
+      pressed("[[stage]]\npath = \"uniaxial\"\nheight = 1\nstations = [0.01, 0.02, 0.01]\nrate = 0.1\n");
+  const auto said = [&](const std::vector<double>& top, const std::vector<double>& bottom) {
+    const std::vector<double> zero(top.size(), 0.0), stages(top.size(), 0.0);
+    return only(analysis::idle_plate_doubts(up_and_down, rows({{"stage", stages},
+                                                               {"force_top_x", zero},
+                                                               {"force_top_y", zero},
+                                                               {"force_top_z", top},
+                                                               {"force_bottom_x", zero},
+                                                               {"force_bottom_y", zero},
+                                                               {"force_bottom_z", bottom}})));
+  };
+  EXPECT_EQ(said({0, 1, 2, 1}, {0, -1, -2, -1}), "");
+  EXPECT_EQ(said({0, 1, 2, 0}, {0, -1, -2, 0}), "") << "the plates move apart";
+  EXPECT_EQ(said({0, 0, 2, 1}, {0, 0, -2, -1}), "") << "the plates come from afar";
+  EXPECT_NE(said({0, 1, 0, 0}, {0, -1, -2, 0}).find("pushes the plane \"top\" 0.01 m towards the grains by station 2"),
+            std::string::npos);
+  EXPECT_NE(said({5, 0, 0, 0}, {-5, -1, -1, 0}).find("(2 of 3 stations): a lower rate"), std::string::npos);
+  EXPECT_NE(said({0, 0, 0}, {0, 0, 0}).find("(nor did anything before): begin with the plane"), std::string::npos);
+}
+
+TEST(DoubtsOfLoading, GrainsThatNoLongerTouch) {
+  const dem::Scenario shear = plan(isotropic("1e5") + strained("constant-volume", ""));
+  const auto said = [&](const std::vector<double>& contacts) {
+    return only(analysis::no_contact_doubts(shear, rows({{"stage", {0, 0, 1, 1}}, {"coordination_number", contacts}})));
+  };
+  EXPECT_EQ(said({0, 4, 4, 3}), "") << "loose grains come together";
+  EXPECT_NE(said({0, 4, 3, 0}).find("stage \"shear\": at 1 of 2 stations, first at number 2, no grains touch"),
+            std::string::npos);
+}
+
+TEST(DoubtsOfLoading, PlatesAreJudgedByTheirRateAndTheirForce) {
+  const io::Snapshot start = simple_cubic(4, Vec3(1, 1, 1));  // centres over 3 m by 3 m; 6/pi kg/m3
+  const auto said = [&](const std::string& keys) {
+    io::RunFile run;
+    run.snapshots = {start, start};
+    run.series = rows({{"step", {0, 9}},
+                       {"stage", {0, 0}},
+                       {"mean_stress", {0, 0}},
+                       {"coordination_number", {3, 3}},
+                       {"force_top_x", {0, 0}},
+                       {"force_top_y", {0, 0}},
+                       {"force_top_z", {0, 9e5}},
+                       {"force_bottom_x", {0, 0}},
+                       {"force_bottom_y", {0, 0}},
+                       {"force_bottom_z", {0, -9e5}}});
+    const dem::Scenario scenario =
+        pressed("[[stage]]\nname = \"press\"\npath = \"uniaxial\"\nheight = 1\nstrain = 0.01\n" + keys);
+    for (const Doubt& doubt : analysis::doubts_after(start, scenario, run))
+      if (doubt.key == "inertia") return doubt.sentence;
+    return std::string();
+  };
+  EXPECT_NE(said("rate = 0.1\n").find("stage \"press\" at 0.1 1/s: inertial number 4.4e-04"), std::string::npos)
+      << said("rate = 0.1\n");
+  EXPECT_EQ(said("rate = 0.02\n"), "") << "the remedy works";
+  EXPECT_EQ(said("rate = 0.1\nway_unbalanced_force = 0.03\n"), "");
 }
 
 }  // namespace

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <string>
 
-#include "analysis/tables/material_doubts.h"
+#include "analysis/doubts/material_doubts.h"
 #include "core/error.h"
 #include "dem/contact/laws/hertz_mindlin.h"
 #include "dem/state/bodies.h"

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
 
-#include "analysis/tables/plane_doubts.h"
+#include "analysis/doubts/plane_doubts.h"
 #include "calibration/ensemble.h"
 #include "core/error.h"
 #include "core/text/text.h"

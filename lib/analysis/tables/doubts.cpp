@@ -10,14 +10,15 @@
 #include <numeric>
 #include <optional>
 
-#include "analysis/input/input_doubts.h"
+#include "analysis/doubts/idle_doubts.h"
+#include "analysis/doubts/input_doubts.h"
+#include "analysis/doubts/loading_doubts.h"
+#include "analysis/doubts/material_doubts.h"
 #include "analysis/measure/fabric.h"
 #include "analysis/measure/soundness.h"
 #include "analysis/measure/stress.h"
 #include "analysis/measure/tessellation.h"
 #include "analysis/tables/bag.h"
-#include "analysis/tables/loading_doubts.h"
-#include "analysis/tables/material_doubts.h"
 #include "dem/state/bodies.h"
 #include "dem/sweep/contact_sweep.h"
 
@@ -53,6 +54,8 @@ std::optional<double> asked_pressure(const dem::AxisGoals& goals, int dimension)
 double given_rate(const dem::Stage& stage, int dimension) {
   if (stage.way_unbalanced_force > 0) return 0;
   double rate = 0;
+  if (const std::optional<dem::Between> between = stage.path->between())
+    for (const dem::DriveGoal& goal : stage.path->drives(0)) rate += goal.speed / between->height;
   std::array<double, 3> before = {0, 0, 0};
   for (std::size_t station = 0; station < stage.path->stations(); ++station) {
     const dem::AxisGoals goals = goals_at(stage, station, dimension, 1);
@@ -120,16 +123,42 @@ std::vector<Loading> planned(const io::Snapshot& start, const dem::Scenario& sce
   return loadings;
 }
 
+// Returns the area that bodies cover in plan, m2.
+double area_in_plan(const io::Snapshot& state) {
+  Vec3 low = Vec3::Constant(INFINITY), high = -low;
+  for (const Vec3& x : state.grains.position) low = low.cwiseMin(x), high = high.cwiseMax(x);
+  return (high.x() - low.x()) * (high.y() - low.y());
+}
+
+// Returns the mean stress at each row; in a stage between plates their force over the area in plan.
+std::vector<double> pressures_in(const io::Snapshot& start, const dem::Stage& stage, const io::Series& series) {
+  const std::optional<dem::Between> between = stage.path->between();
+  if (!between) return series.at("mean_stress").values;
+  std::vector<double> pressures = series.at("force_" + between->upper + "_z").values;
+  const double area = area_in_plan(start);
+  for (double& p : pressures) p = std::abs(p) / area;
+  return pressures;
+}
+
 std::vector<Loading> carried_out(const io::Snapshot& start, const dem::Scenario& scenario, const io::Series& series) {
-  const std::vector<double>&stages = series.at("stage").values, &pressures = series.at("mean_stress").values;
+  const std::vector<double>& stages = series.at("stage").values;
+  const std::vector<Loading> plan = planned(start, scenario);
   std::vector<Loading> loadings;
   for (std::size_t s = 0; s < scenario.stages.size(); ++s) {
     const double rate = given_rate(scenario.stages[s], start.grains.dimension);
+    if (rate == 0) continue;
+    const std::vector<double> pressures = pressures_in(start, scenario.stages[s], series);
     double least = INFINITY;
     // Row 0 is the packing before its first stage.
     for (std::size_t row = 1; row < stages.size(); ++row)
       if (stages[row] == static_cast<double>(s) && pressures[row] > 0) least = std::min(least, pressures[row]);
-    if (rate > 0 && std::isfinite(least)) loadings.push_back({s, rate, least});
+    if (std::isfinite(least)) {
+      loadings.push_back({s, rate, least});
+      continue;
+    }
+    // Grains that the loading threw apart have no stress, so the one before counts.
+    const auto before = std::ranges::find(plan, s, &Loading::stage);
+    if (before != plan.end()) loadings.push_back(*before);
   }
   return loadings;
 }
@@ -343,6 +372,8 @@ std::vector<Doubt> doubts_after(const io::Snapshot& start, const dem::Scenario& 
     append(doubts, compaction_doubts(*compacted));
   append(doubts, overlap_doubts(run.snapshots.back()));
   append(doubts, inertia_doubts(start, scenario, carried_out(start, scenario, run.series)));
+  append(doubts, idle_plate_doubts(scenario, run.series));
+  append(doubts, no_contact_doubts(scenario, run.series));
   append(doubts, of_scenario(start, scenario, run.snapshots.front()));
   return doubts;
 }

@@ -65,7 +65,7 @@ io::Series interface(const io::Series& run, const ShearBox& box) {
         shear);
     put(table, "normal_force", "N", "force of the soil on the lid", normal);
     put(table, "friction_angle", "deg", "angle whose tangent is the shear force over the normal force",
-        std::atan2(std::abs(shear), normal) * 180 / std::numbers::pi);
+        normal > 0 ? std::atan2(shear, normal) * 180 / std::numbers::pi : std::nan(""));
   }
   return table;
 }

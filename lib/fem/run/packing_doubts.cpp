@@ -7,9 +7,9 @@
 #include <optional>
 #include <utility>
 
+#include "analysis/doubts/loading_doubts.h"
+#include "analysis/doubts/material_doubts.h"
 #include "analysis/tables/doubts.h"
-#include "analysis/tables/loading_doubts.h"
-#include "analysis/tables/material_doubts.h"
 
 namespace soilweave::fem {
 namespace {

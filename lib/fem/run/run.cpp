@@ -10,7 +10,7 @@
 #include <functional>
 #include <utility>
 
-#include "analysis/tables/loading_doubts.h"
+#include "analysis/doubts/loading_doubts.h"
 #include "core/error.h"
 #include "core/memory.h"
 #include "core/text/text.h"

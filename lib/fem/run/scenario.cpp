@@ -8,7 +8,7 @@
 #include <cmath>
 #include <utility>
 
-#include "analysis/tables/loading_doubts.h"
+#include "analysis/doubts/loading_doubts.h"
 #include "core/error.h"
 #include "core/text/units.h"
 #include "dem/run/scenario.h"

@@ -8,13 +8,13 @@
 #include <cmath>
 #include <utility>
 
-#include "analysis/input/input_doubts.h"
+#include "analysis/doubts/input_doubts.h"
+#include "analysis/doubts/material_doubts.h"
 #include "analysis/measure/fabric.h"
 #include "analysis/measure/soundness.h"
 #include "analysis/measure/stress.h"
 #include "analysis/measure/tessellation.h"
 #include "analysis/measure/volume_of_interest.h"
-#include "analysis/tables/material_doubts.h"
 
 namespace soilweave::packing {
 namespace {

@@ -1,6 +1,6 @@
 // Doubts about planes that do not start where the input ended.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "analysis/tables/plane_doubts.h"
+#include "analysis/doubts/plane_doubts.h"
 
 #include <fmt/format.h>
 

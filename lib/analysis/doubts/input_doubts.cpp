@@ -1,6 +1,6 @@
 // Doubts about tables of a scenario that its packing does not use, and about values in another unit.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "analysis/input/input_doubts.h"
+#include "analysis/doubts/input_doubts.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

@@ -1,6 +1,6 @@
 // Doubts about the materials and stages of a scenario.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "analysis/tables/loading_doubts.h"
+#include "analysis/doubts/loading_doubts.h"
 
 #include <fmt/format.h>
 

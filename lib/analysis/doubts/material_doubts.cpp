@@ -1,6 +1,6 @@
 // Doubts about materials that do not fit their grains.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "analysis/tables/material_doubts.h"
+#include "analysis/doubts/material_doubts.h"
 
 #include <fmt/format.h>
 
@@ -9,8 +9,8 @@
 #include <map>
 #include <utility>
 
+#include "analysis/doubts/loading_doubts.h"
 #include "analysis/measure/parts.h"
-#include "analysis/tables/loading_doubts.h"
 #include "dem/contact/thesis_soil.h"
 #include "dem/state/bodies.h"
 #include "dem/sweep/contact_sweep.h"

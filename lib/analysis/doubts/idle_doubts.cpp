@@ -1,0 +1,104 @@
+// Stations of a run at which nothing bears.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "analysis/doubts/idle_doubts.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <optional>
+#include <string>
+
+namespace soilweave::analysis {
+namespace {
+
+constexpr std::string_view follows = "a lower rate, or rest_drag = \"critical\", lets the grains follow the plane";
+
+// Returns the rows of a stage, one for each station that was reached. Row 0 is the packing before its first stage.
+std::vector<std::size_t> rows_of(const io::Series& series, std::size_t stage) {
+  const std::vector<double>& stages = series.at("stage").values;
+  std::vector<std::size_t> rows;
+  for (std::size_t row = 1; row < stages.size(); ++row)
+    if (stages[row] == static_cast<double>(stage)) rows.push_back(row);
+  return rows;
+}
+
+// Returns whether a plane bears no force in a row.
+bool is_idle(const io::Series& series, const std::string& plane, std::size_t row) {
+  return std::all_of("xyz", "xyz" + 3, [&](char axis) {
+    const io::Column* force = series.find(fmt::format("force_{}_{}", plane, axis));
+    return force && force->values[row] == 0;
+  });
+}
+
+// Returns how far a stage pushes a plane towards the grains until a station, m; 0 for clamps and other parts.
+double pushed(const dem::Scenario& scenario, const dem::Stage& stage, std::size_t station, const dem::RigPart& part) {
+  double way = 0;
+  for (const dem::DriveGoal& goal : stage.path->drives(station))
+    if (goal.part == part.name && goal.kind == dem::DriveGoal::Kind::displacement)
+      way += goal.value * goal.direction.dot(scenario.planes.normal[part.number]);
+  return way;
+}
+
+std::optional<Doubt> idle_plate(const dem::Scenario& scenario, const io::Series& series, std::size_t s,
+                                const dem::RigPart& part) {
+  const dem::Stage& stage = scenario.stages[s];
+  const std::vector<std::size_t> rows = rows_of(series, s);
+  if (rows.empty()) return std::nullopt;
+  bool bore = false;
+  for (std::size_t row = 0; row < rows.front(); ++row) bore = bore || !is_idle(series, part.name, row);
+  std::size_t idle = 0, first = 0;
+  double before = 0;
+  for (std::size_t k = 0; k < std::min(rows.size(), stage.path->stations()); ++k) {
+    const double way = pushed(scenario, stage, k, part);
+    const bool closes_in = way > before, is_last = k + 1 == rows.size();
+    before = way;
+    if (!is_idle(series, part.name, rows[k]))
+      bore = true;
+    else if (closes_in && (bore || is_last) && idle++ == 0)
+      first = k;
+  }
+  if (idle == 0) return std::nullopt;
+  return Doubt{
+      "idle-plate",
+      fmt::format("stage \"{}\" pushes the plane \"{}\" {:.3g} m towards the grains by station {}, and nothing "
+                  "presses against it ({}): {}",
+                  stage.name, part.name, pushed(scenario, stage, first, part), first + 1,
+                  bore ? fmt::format("{} of {} stations", idle, rows.size()) : "nor did anything before",
+                  bore ? follows : "begin with the plane at the grains (point = \"touch\"), or push it further")};
+}
+
+}  // namespace
+
+std::vector<Doubt> idle_plate_doubts(const dem::Scenario& scenario, const io::Series& series) {
+  for (std::size_t s = 0; s < scenario.stages.size(); ++s)
+    for (const dem::RigPart& part : dem::parts_of(scenario)) {
+      if (part.is_clamp) continue;
+      if (std::optional<Doubt> doubt = idle_plate(scenario, series, s, part)) return {*std::move(doubt)};
+    }
+  return {};
+}
+
+std::vector<Doubt> no_contact_doubts(const dem::Scenario& scenario, const io::Series& series) {
+  const std::vector<double>& contacts = series.at("coordination_number").values;
+  bool touched = !contacts.empty() && contacts[0] > 0;
+  for (std::size_t s = 0; s < scenario.stages.size(); ++s) {
+    const std::vector<std::size_t> rows = rows_of(series, s);
+    std::size_t apart = 0, first = 0;
+    for (std::size_t k = 0; k < rows.size(); ++k) {
+      if (contacts[rows[k]] > 0)
+        touched = true;
+      else if (touched && apart++ == 0)
+        first = k;
+    }
+    if (apart == 0) continue;
+    return {
+        {"no-contact",
+         fmt::format(
+             "stage \"{}\": at {} of {} stations, first at number {}, no grains touch, so that "
+             "stresses are zero: either the loading threw the grains apart, or they liquefy; a lower rate shows which",
+             scenario.stages[s].name, apart, rows.size(), first + 1)}};
+  }
+  return {};
+}
+
+}  // namespace soilweave::analysis
