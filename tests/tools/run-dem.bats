@@ -264,6 +264,10 @@ broken() {
   refuses 65 run-dem "lower numerics.time_step, or leave it out" --check packing.h5 short.toml --set numerics.time_step=1
 }
 
+@test "the servo of a packing with dashpots stays stable where steps are short" {
+  run-dem --quiet packing.h5 short.toml --set contact.restitution=0.2 --set numerics.time_step_safety=0.1 -o short_steps.h5
+}
+
 @test "guards: what breaks says the step, who, how much and why, and leaves a state to look at" {
   broken 1 'stage "triaxial", station 1: not settled after 5 steps' --set equilibrium.steps=5
   broken 1 "is held back by its largest rate: raise max_rate" --set equilibrium.steps=50 --set stage.0.max_rate=1e-9 \

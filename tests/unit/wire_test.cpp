@@ -71,6 +71,16 @@ TEST(Strip, SlackYarnsWhoseEndsMeetPullAtNothing) {
   EXPECT_EQ(simulation.snapshot().grains.position, start.grains.position);
 }
 
+TEST(Strip, ANodeIsHeldByOneClampAlone) {
+  const Scenario plan = pulled(pe_points, move(1e-3, 1), 0);
+  try {
+    prepare(strip(2), plan);
+    ADD_FAILURE() << "both clamps hold the nodes in the middle";
+  } catch (const DataError& e) {
+    EXPECT_NE(std::string(e.what()).find("clamps left and right both hold node"), std::string::npos) << e.what();
+  }
+}
+
 // Without damping the strip swings for ever; here it swings on the way and comes to rest when the clamp stops.
 TEST(Strip, ComesToRestWhereOnlyTheWaitIsDamped) {
   std::string stage = move(2.4e-3, 4);

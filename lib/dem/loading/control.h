@@ -45,6 +45,8 @@ struct ServoRule {
   Kind kind = Kind::stiffness;
   /// Damping of `inertia`.
   double damping = 0.25;
+  /// Frequency of `stiffness` over that for steps of the default safety. With smaller steps the gains do not grow.
+  double share_of_frequency = 1;
 };
 
 /// A controller of all cell axes. One object serves one run, since it keeps an integral part.

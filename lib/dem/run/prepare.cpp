@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <optional>
 #include <string>
 
@@ -165,9 +166,15 @@ void demand_free_faces(const io::Snapshot& state, const Scenario& scenario) {
 }
 
 void demand_held(const io::Snapshot& state, const Scenario& scenario) {
-  for (const PartSetting& p : scenario.parts)
-    if (p.part.is_clamp && nodes_within(state, p.low, p.high).empty())
-      throw DataError(fmt::format("clamp \"{}\" holds no node of a geotextile: move its box", p.part.name));
+  std::map<std::int32_t, std::string> holder;
+  for (const auto& [part, low, high] : scenario.parts) {
+    if (!part.is_clamp) continue;
+    const std::vector<std::int32_t> held = nodes_within(state, low, high);
+    if (held.empty()) throw DataError(fmt::format("clamp {} holds no node: move its box", part.name));
+    for (const std::int32_t node : held)
+      if (!holder.emplace(node, part.name).second)
+        throw DataError(fmt::format("clamps {} and {} both hold node {}: move a box", holder[node], part.name, node));
+  }
 }
 
 bool are_facing(const PartSetting& one, const PartSetting& other, const io::PlanesRecord& planes) {

@@ -43,12 +43,11 @@ ServoRule read_servo(Settings& document) {
   static constexpr Parameter damping{
       "damping", "1", 0, 0.999, false, "damping of the cell's strain rate", "at 1 the cell would not move"};
   Settings table = document.table("servo");
+  const std::string kind = table.choice({"kind", "property of the packing that the servo's gains follow"},
+                                        {"stiffness", "inertia"}, "stiffness");
   ServoRule rule;
-  if (table.choice({"kind", "property of the packing that the servo's gains follow"}, {"stiffness", "inertia"},
-                   "stiffness") == "stiffness")
-    return rule;
-  rule.kind = ServoRule::Kind::inertia;
-  rule.damping = table.number(damping, rule.damping);
+  if (kind == "stiffness") return rule;
+  rule.kind = ServoRule::Kind::inertia, rule.damping = table.number(damping, rule.damping);
   return rule;
 }
 
@@ -255,6 +254,7 @@ Scenario read_scenario(Settings& document, const NamedFiles& files) {
   s.numerics = read_numerics(document);
   s.tolerances = read_tolerances(document, s.largest_station);
   s.servo = read_servo(document);
+  s.servo.share_of_frequency = std::min(1.0, s.numerics.time_step_safety / Numerics().time_step_safety);
   s.snapshots = read_snapshots(document);
   s.planes = read_planes(document, s.model.materials.size(), s.parts, s.touching);
   read_clamps(document, s.parts);
