@@ -166,7 +166,7 @@ struct Design {
       const auto rows = gws::design_chart(c, demand, {from, to}, static_cast<std::size_t>(points));
       groups.push_back({"chart", "capacity and settlement over stiffness", gws::chart_table(rows, c.reduction)});
       text = gws::aligned(gws::readable(rows, c.reduction));
-      doubts = read.doubts({from, to}, {});
+      doubts = read.chart_doubts(rows);
     } else if (surcharge) {
       const gws::Design found = gws::smallest_geotextile(c, demand, {from, to});
       groups.push_back({"design", "smallest geotextile", gws::design_table(found, c.reduction)});
@@ -177,7 +177,7 @@ struct Design {
       const gws::Allowance found = gws::allowable_surcharge(c, demand.settlement, demand.safety, demand.weakened);
       groups.push_back({"design", "surcharge carried", gws::allowance_table(found)});
       text = gws::describe(found, demand.settlement, demand.safety, c);
-      doubts = read.doubts({c.geotextile.stiffness}, {found.at});
+      doubts = read.doubts({c.geotextile.stiffness}, {found.limit, found.at});
     }
     text = read.soil_line() + text + read.conditions(answered);
     output.put(groups, 0, text, read.sources, read.scenario, invocation, doubts);

@@ -360,6 +360,26 @@ CASES
   [[ $output == *"Compacted to 134.9 kPa, which it took 2.00 % of its height to reach"* ]] || show
 }
 
+@test "a lateral history is doubted where an answer leaves it on either side, and its refusals name the file" {
+  local verb
+  printf 'surcharge [kPa]\tlateral_stress [kPa]\n100\t10\n150\t12\n' > history.tsv
+  for verb in "respond --surcharge 300e3" "design --surcharge 300e3 --chart --points 2 --from 200e3 --to 400e3"; do
+    # shellcheck disable=SC2086  # several words
+    exits 0 gws-solve $verb --soil toyoura-gws --geotextile PP --lateral-history history.tsv
+    [[ $stderr == *"the history of the lateral stress begins at a surcharge of 100 kPa, and its first value, 10 kPa, is taken \
+from 7.50"*" kPa on; give rows from 0 kPa on"* ]] || show
+    [[ $stderr == *"ends at a surcharge of 150 kPa, and its last value, 12 kPa, is kept up to "* ]] || show
+  done
+  exits 0 gws-solve design --settlement 0.1 --safety 4 --soil toyoura-gws --geotextile PP --lateral-history history.tsv
+  [[ $stderr == *"its last value, 12 kPa, is kept up to 1776 kPa"* ]] || show "the safety counts against a load beyond the history"
+  printf 'surcharge [kPa]\tlateral_stress [kPa]\n0\t10\n300\t12\n' > history.tsv
+  exits 0 gws-solve respond --soil toyoura-gws --geotextile PP --surcharge 300e3 --lateral-history history.tsv
+  [[ $stderr != *"history"* ]] || show
+  printf 'surcharge [kPa]\tlateral_stress [kPa]\n400\t80\n200\t80\n' > history.tsv
+  refuses 65 respond "history.tsv: lateral stress: row 2: the surcharge 200000 Pa is not above the one before; the model \
+cannot unload: give rows that rise" --geotextile PP --lateral-history history.tsv
+}
+
 @test "what is inadmissible is refused with range and reason" {
   refuses 64 respond "--stiffness: -5 is out of range: must be between 0 and 1e10 N/m (without stiffness the \
 geotextile holds nothing)" --geotextile PP --stiffness -5

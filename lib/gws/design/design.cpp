@@ -106,10 +106,11 @@ double smallest_stiffness(const Case& bag, const Demand& demand, const Stiffness
 
 /// Returns NaN in all columns if the bag is too soft to begin.
 ChartRow chart_row(const Case& bag, const Demand& demand) {
-  ChartRow row{bag.geotextile, unreached, unreached, unreached, unreached, unreached};
+  ChartRow row{bag.geotextile, unreached, unreached, unreached, unreached, unreached, unreached};
   try {
     const Answers answers(bag);
     const Response& response = answers.ultimate();
+    row.begins = response.start().surcharge;
     row.capacity = response.last().surcharge;
     row.settlement = response.last().settlement() - response.start().settlement();
     row.hoop_strain = response.last().hoop_strain;
@@ -172,14 +173,15 @@ Allowance allowable_surcharge(const Case& bag, double settlement, double safety,
   const Response& response = answers.ultimate();
   Case failing = bag;
   failing.soil = weakened.value_or(bag.soil);
-  const double capacity = std::min(response.last().surcharge, Answers(failing).ultimate().last().surcharge);
-  Allowance found{capacity / safety, Governs::strength, {}};
+  const Point weak = Answers(failing).ultimate().last();
+  const Point& capacity = weak.surcharge < response.last().surcharge ? weak : response.last();
+  Allowance found{capacity.surcharge / safety, Governs::strength, {}, capacity};
   if (found.surcharge < response.start().surcharge)
     throw DataError(fmt::format("safety {}: leaves {:.6g} Pa, below the initial surcharge {:.6g} Pa", safety,
                                 found.surcharge, response.start().surcharge));
   if (settlement < response.last().settlement() - response.start().settlement()) {
     const Point at = answers.settled(settlement).at;
-    if (at.surcharge < found.surcharge) found = {at.surcharge, Governs::settlement, {}};
+    if (at.surcharge < found.surcharge) found = {at.surcharge, Governs::settlement, {}, at};
   }
   found.at = answers.under(found.surcharge).at;
   return found;

@@ -52,8 +52,8 @@ struct Allowance {
   double surcharge = 0;
   /// Criterion that decides.
   Governs governs = Governs::strength;
-  /// State at the surcharge.
-  Point at;
+  /// State at the surcharge, and the state that limits it: at failure, or else the same.
+  Point at, limit;
 };
 /// Returns the surcharge within the settlement, and with the safety against the capacity.
 Allowance allowable_surcharge(const Case& bag, double settlement, double safety,
@@ -62,6 +62,8 @@ Allowance allowable_surcharge(const Case& bag, double settlement, double safety,
 /// One bag of a design chart. NaN: not reached.
 struct ChartRow {
   Geotextile geotextile;
+  /// Surcharge at which the response begins, Pa.
+  double begins = 0;
   /// At the end of the response.
   double capacity = 0, settlement = 0, hoop_strain = 0;
   /// For the demand.

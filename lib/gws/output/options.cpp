@@ -6,6 +6,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <utility>
 
 #include "core/data.h"
 #include "core/error.h"
@@ -121,7 +123,8 @@ LateralStress CaseOptions::read_lateral(std::vector<io::Source>& sources) const 
   const io::Series table = io::from_tsv(text.text, history.string());
   const std::string where = history.string();
   if (table.rows() == 0) throw DataError(where + ": has no rows: give one at least, or leave out --lateral-history");
-  return {io::in_unit(table, "surcharge", "Pa", where), io::in_unit(table, "lateral_stress", "Pa", where)};
+  return {io::in_unit(table, "surcharge", "Pa", where), io::in_unit(table, "lateral_stress", "Pa", where),
+          where + ": lateral stress"};
 }
 
 std::string ReadCase::soil_line() const {
@@ -143,6 +146,14 @@ std::vector<Doubt> ReadCase::response_doubts(const std::vector<double>& stiffnes
     all.push_back({"weakened",
                    "--factor-soil counts against failure alone, but settlements here are those of the weakened soil, "
                    "which may be smaller than the soil's own: leave it out for settlements, or use design"});
+  return all;
+}
+
+std::vector<Doubt> ReadCase::chart_doubts(const std::vector<ChartRow>& rows) const {
+  std::vector<Doubt> all = doubts({rows.front().geotextile.stiffness, rows.back().geotextile.stiffness}, {});
+  double first = std::numeric_limits<double>::infinity(), last = 0;
+  for (const ChartRow& row : rows) first = std::fmin(first, row.begins), last = std::fmax(last, row.capacity);
+  for (Doubt& doubt : beyond_history(the_case.lateral, first, last)) all.push_back(std::move(doubt));
   return all;
 }
 

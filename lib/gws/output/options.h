@@ -9,6 +9,7 @@
 
 #include "core/cli/tool.h"
 #include "files/provenance.h"
+#include "gws/design/design.h"
 #include "gws/design/factors.h"
 #include "gws/identification/identify.h"
 #include "gws/solution/doubts.h"
@@ -79,6 +80,8 @@ struct ReadCase {
   /// Returns the doubts about a response: those of doubts(), and "weakened" where a factor on the soil changes its
   /// settlements.
   std::vector<Doubt> response_doubts(const std::vector<double>& stiffnesses, const std::vector<Point>& states) const;
+  /// Returns the doubts about a chart.
+  std::vector<Doubt> chart_doubts(const std::vector<ChartRow>& rows) const;
 };
 
 /// Options of a bag.

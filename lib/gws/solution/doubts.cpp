@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <utility>
 
 namespace soilweave::gws {
 namespace {
@@ -48,6 +49,25 @@ double greatest(const LateralStress& lateral) {
 }
 
 }  // namespace
+
+std::vector<Doubt> beyond_history(const LateralStress& lateral, double from, double to) {
+  const std::vector<double>&history = lateral.surcharge, &stress = lateral.lateral;
+  std::vector<Doubt> found;
+  // A stress at a surcharge of 0 alone is a constant one.
+  if (history.empty() || !(history.back() > 0)) return found;
+  if (from < history.front() * (1 - slack))
+    found.push_back(
+        {"history-begin",
+         fmt::format("the history of the lateral stress begins at a surcharge of {:.4g} kPa, and its first value, "
+                     "{:.4g} kPa, is taken from {:.4g} kPa on; give rows from 0 kPa on",
+                     history.front() / 1e3, stress.front() / 1e3, from / 1e3)});
+  if (to > history.back())
+    found.push_back({"history-end", fmt::format("the history of the lateral stress ends at a surcharge of {:.4g} kPa, "
+                                                "and its last value, {:.4g} kPa, is kept up to {:.4g} kPa; give rows "
+                                                "up to there",
+                                                history.back() / 1e3, stress.back() / 1e3, to / 1e3)});
+  return found;
+}
 
 std::vector<Doubt> doubts(const SoilFile& soil, bool chosen, const Case& asked, const std::vector<double>& stiffnesses,
                           const std::vector<Point>& states) {
@@ -94,13 +114,11 @@ std::vector<Doubt> doubts(const SoilFile& soil, bool chosen, const Case& asked, 
     found.push_back({"untested", fmt::format("the solution is untested here: {}; simulate such a bag "
                                              "(filter-expand, run-dem) before relying on it",
                                              all)});
-  const std::vector<double>& history = asked.lateral.surcharge;
-  if (history.size() > 1 && !states.empty() && states.back().surcharge > history.back())
-    found.push_back(
-        {"history-end",
-         fmt::format("the history of the lateral stress ends at a surcharge of {:.4g} kPa, and its last "
-                     "value, {:.4g} kPa, is kept up to {:.4g} kPa; give rows up to there",
-                     history.back() / 1e3, asked.lateral.lateral.back() / 1e3, states.back().surcharge / 1e3)});
+  if (!states.empty()) {
+    const auto [first, last] = std::ranges::minmax(states, {}, &Point::surcharge);
+    for (Doubt& doubt : beyond_history(asked.lateral, first.surcharge, last.surcharge))
+      found.push_back(std::move(doubt));
+  }
   if (!states.empty() && states.back().soil.end == End::none && states.back().hoop_tension < 0)
     found.push_back(
         {"compressed",

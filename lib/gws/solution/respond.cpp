@@ -52,23 +52,23 @@ double LateralStress::at(double load) const {
 
 void LateralStress::check(const Bag& bag) const {
   const double slenderness = bag.height / bag.width, steepest = (1 + slenderness) / (2 * slenderness);
-  if (surcharge.size() != lateral.size()) throw DataError("lateral stress: as many stresses as surcharges are needed");
+  if (surcharge.size() != lateral.size()) throw DataError(name + ": as many stresses as surcharges are needed");
   for (std::size_t i = 0; i < surcharge.size(); ++i) {
     if (!(lateral[i] >= 0) || !(surcharge[i] >= 0))
       throw DataError(
-          fmt::format("lateral stress: row {}: {} Pa at a surcharge of {} Pa; both must be at least 0 Pa, compression",
-                      i + 1, lateral[i], surcharge[i]));
+          fmt::format("{}: row {}: {} Pa at a surcharge of {} Pa; both must be at least 0 Pa, compression: correct it",
+                      name, i + 1, lateral[i], surcharge[i]));
     if (i == 0) continue;
     if (!(surcharge[i] > surcharge[i - 1]))
       throw DataError(fmt::format(
-          "lateral stress: row {}: the surcharge {} Pa is not above the one before; the model cannot unload", i + 1,
-          surcharge[i]));
+          "{}: row {}: the surcharge {} Pa is not above the one before; the model cannot unload: give rows that rise",
+          name, i + 1, surcharge[i]));
     const double slope = (lateral[i] - lateral[i - 1]) / (surcharge[i] - surcharge[i - 1]);
     if (!(slope < steepest))
-      throw DataError(fmt::format(
-          "lateral stress: row {}: it rises {:.3g} times as fast as the surcharge; must be below {:.3g}, or "
-          "the bag is loaded from its sides",
-          i + 1, slope, steepest));
+      throw DataError(
+          fmt::format("{}: row {}: it rises {:.3g} times as fast as the surcharge; must be below {:.3g}, or "
+                      "the bag is loaded from its sides: check the units of both columns",
+                      name, i + 1, slope, steepest));
   }
 }
 
@@ -117,10 +117,10 @@ Response::Response(const Case& what)
         *case_.until, start_.surcharge, what.soil.p_0));
   march();
   if (failed() && last_.hoop_tension < 0)
-    throw DataError(fmt::format(
-        "lateral stress: {:.6g} kPa outside the bag exceed the soil's own, {:.4g} kPa, where the response ends "
-        "({}): the geotextile is never stretched; take a smaller lateral stress",
-        last_.lateral / 1e3, last_.soil.lateral_stress() / 1e3, reason(end_)));
+    throw DataError(
+        fmt::format("{}: {:.6g} kPa outside the bag exceed the soil's own, {:.4g} kPa, where the response ends "
+                    "({}): the geotextile is never stretched; take a smaller lateral stress",
+                    case_.lateral.name, last_.lateral / 1e3, last_.soil.lateral_stress() / 1e3, reason(end_)));
   compact();
 }
 

@@ -15,8 +15,7 @@
 // fraction of the strength: there sigma_as is the ultimate bearing capacity. It ends earlier if the soil fails or the
 // requested surcharge is reached (enum End).
 //
-// Compaction is a first stretch of the path, whose strains remain. A lateral stress sigma_rs, constant or a function of
-// the surcharge, describes the soil around a bag.
+// Compaction is a first stretch of the path, whose strains remain. Soil around the bag gives a lateral stress sigma_rs.
 //
 //   const Response response({.soil = soil, .geotextile = geotextile, .bag = {0.4, 0.08}});
 //   const Point ultimate = response.last();          // surcharge, strains, hoop tension
@@ -24,6 +23,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "gws/solution/geotextile.h"
@@ -33,8 +33,9 @@ namespace soilweave::gws {
 
 /// Lateral stress sigma_rs outside the bag by surcharge: linear between points, constant beyond.
 struct LateralStress {
-  /// Points, Pa; empty: no lateral stress.
+  /// Points, Pa; empty: no lateral stress. The name stands in messages, with the points' file.
   std::vector<double> surcharge, lateral;
+  std::string name = "lateral stress";
 
   /// Returns a constant lateral stress, Pa.
   static LateralStress constant(double stress) { return {{0}, {stress}}; }
@@ -126,8 +127,7 @@ class Response {
   /// Returns the number of steps along the path.
   std::size_t steps() const { return path_.steps(); }
 
-  /// Return the state at a surcharge between start() and last(), or at an axial strain of the unloaded bag. They throw
-  /// DataError that names the range. Roots are bracketed (TOMS 748) to the last bits.
+  /// Return the state at a surcharge, or at an axial strain of the unloaded bag. They throw DataError beyond the range.
   Point at_surcharge(double surcharge) const;
   Point at_strain(double axial_strain) const;
   /// Returns n+1 states at equal steps of settlement, from start() to surcharge `to` (default: the last).
