@@ -139,6 +139,9 @@ questions() {
 65;dilation_angle: is not below the friction angle: check both, 0 is on the safe side;respond --soil wild.toml --geotextile PP
 0;Ultimate bearing capacity;respond --soil toyoura-gws --geotextile PP --factor-soil 1.5
 0;Smallest stiffness;design --soil toyoura-gws --surcharge "300 kPa" --factor-soil 1.5
+0;Neither settlement nor strength governs,;design --soil toyoura-gws --surcharge "300 kPa"
+0;The settlement governs.;design --soil toyoura-gws --surcharge "300 kPa" --settlement "5 %"
+0;The strength governs.;design --soil toyoura-gws --geotextile oneway.toml@machine --surcharge "300 kPa"
 0;Carries;design --soil site.toml --geotextile PP --settlement "5 %" --factor-soil 1.5
 65;--factor-soil: 5 lowers M from 1.35 to;design --soil toyoura-gws --geotextile PP --surcharge "300 kPa" --chart --factor-soil 5
 65;a dilation angle of 30 deg is too near to the friction angle of 38 deg: q/p at failure would be M at no pressure of a test; take at most;respond --soil site.toml --geotextile PP --set estimate.dilation_angle=30

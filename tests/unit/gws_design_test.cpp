@@ -118,6 +118,23 @@ TEST(GwsDesign, TheStrengthOfADataSheetGovernsAtTheSafety) {
   }
 }
 
+TEST(GwsDesign, TheSettlementGovernsOnlyWhereItIsReached) {
+  // Hoops without a limit of their own: a softer bag has no state at the surcharge, long before it is flat.
+  for (const double settlement : {0.9, 1.0}) {
+    const Design design = smallest_geotextile(nothing_yet(), {300e3, settlement, 1}, range);
+    EXPECT_EQ(design.governs, Governs::end);
+    EXPECT_EQ(design.end, End::unstable);
+    EXPECT_LT(design.service.settlement(), 0.6);
+  }
+  for (const Case& bag : bags_of_sheets())
+    for (const double settlement : {0.9, 1.0})
+      EXPECT_EQ(smallest_geotextile(bag, {300e3, settlement, 1}, range).governs, Governs::strength);
+  EXPECT_EQ(smallest_geotextile(test::bag_of("PP"), {300e3, 1, 1}, range).governs, Governs::strength);
+  const Allowance flat = allowable_surcharge(test::bag_of(20e3, 40e3, 2), 0.9, 2);
+  EXPECT_EQ(flat.governs, Governs::end);
+  EXPECT_EQ(flat.end, End::collapse);
+}
+
 TEST(GwsSensitivity, ADataSheetIsVariedAsItResponds) {
   for (Case bag : bags_of_sheets()) {
     bag = at_strain_reached(bag, 300e3);

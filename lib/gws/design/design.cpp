@@ -17,6 +17,8 @@ namespace {
 
 constexpr double unlimited = std::numeric_limits<double>::infinity();
 constexpr int tried_stiffnesses = 50;  // over the range, in equal ratios
+// Share within which a limit counts as reached; the greatest tolerance of a response.
+constexpr double reached = 0.01;
 constexpr double unreached = std::numeric_limits<double>::quiet_NaN();
 
 /// Returns the bag's geotextile with all tensions scaled to the stiffness J. For a curve, J is the secant at the bag's
@@ -59,9 +61,13 @@ struct Trial {
   /// Whether the bag carries the surcharge, and the factored one.
   bool serves = false, bears = false;
   Point start, service, factored;
+  /// Why the response ends that does not carry its surcharge.
+  End end = End::none;
   /// Geotextile at service.
   Geotextile geotextile;
 };
+
+bool by_strength(End end) { return end == End::strength || end == End::failure_strain; }
 
 Trial try_stiffness(const Case& bag, const Demand& demand, double J) {
   Case failing = bag;
@@ -70,7 +76,9 @@ Trial try_stiffness(const Case& bag, const Demand& demand, double J) {
   // The factored surcharge uses the weaker soil, the surcharge at service the bag's own soil.
   const Case serving = loaded_bag(bag, J, demand.surcharge);
   const Response service(serving);
-  return {!service.failed(), !factored.failed(), service.start(), service.last(), factored.last(), serving.geotextile};
+  return {!service.failed(), !factored.failed(), service.start(),
+          service.last(),    factored.last(),    service.failed() ? service.end() : factored.end(),
+          serving.geotextile};
 }
 
 /// Returns the smallest J of the range with excess(trial) <= 0, or infinity if there is none.
@@ -102,6 +110,29 @@ double smallest_stiffness(const Case& bag, const Demand& demand, const Stiffness
   }
   if (!begun) try_stiffness(bag, demand, range.high);  // throws, since the demand is impossible
   return unlimited;
+}
+
+/// Sets the limit that decides on the stiffness J of a design. Where that of the greater stiffness is not reached, a
+/// softer geotextile carries no more up to it; the end of its response tells why.
+void set_governing(Design& found, const Case& bag, const Demand& demand, double J, Governs greater, double limit) {
+  const double settled = found.service.settlement() - found.start.settlement();
+  found.governs = greater;
+  if (greater == Governs::range || (greater == Governs::settlement && settled >= (1 - reached) * demand.settlement) ||
+      (greater == Governs::strength && found.factored.hoop_strain >= (1 - reached) * limit))
+    return;
+  found.governs = Governs::end;
+  try {
+    found.end = try_stiffness(bag, demand, (1 - reached) * J).end;
+    if (by_strength(found.end)) found.governs = Governs::strength;
+    if (found.end == End::surcharge) found.governs = greater;  // rounding alone
+  } catch (const DataError&) {
+    const Soil weakest = demand.weakened.value_or(bag.soil);
+    for (const Soil& soil : {weakest, bag.soil})
+      if (const End end = soil_state(soil, soil.young_modulus((1 - reached) * J), soil.p_0, {}).end; end != End::none)
+        found.end = end;
+    // Hoops with a curve have a limit that the first state can exceed.
+    if (found.end == End::none && bag.geotextile.curve.known()) found.governs = Governs::strength;
+  }
 }
 
 /// Returns NaN in all columns if the bag is too soft to begin.
@@ -152,10 +183,11 @@ Design smallest_geotextile(const Case& given, const Demand& demand, const Stiffn
         std::isfinite(for_settlement) ? fmt::format("with a safety of {:.4g} within the hoops' limit", demand.safety)
                                       : fmt::format("within a settlement of {:.4g} %", 100 * demand.settlement)));
   const Trial trial = try_stiffness(bag, demand, J);
-  Design found{bag.geotextile, Governs::settlement, trial.start, trial.service, trial.factored};
-  found.governs = J <= range.low                  ? Governs::range
-                  : for_strength > for_settlement ? Governs::strength
-                                                  : Governs::settlement;
+  Design found{bag.geotextile, Governs::settlement, End::none, trial.start, trial.service, trial.factored};
+  const Governs greater = J <= range.low                  ? Governs::range
+                          : for_strength > for_settlement ? Governs::strength
+                                                          : Governs::settlement;
+  set_governing(found, bag, demand, J, greater, limit);
   found.geotextile.stiffness = J;
   if (bag.geotextile.curve.known()) {
     found.geotextile = trial.geotextile;
@@ -173,15 +205,16 @@ Allowance allowable_surcharge(const Case& bag, double settlement, double safety,
   const Response& response = answers.ultimate();
   Case failing = bag;
   failing.soil = weakened.value_or(bag.soil);
-  const Point weak = Answers(failing).ultimate().last();
-  const Point& capacity = weak.surcharge < response.last().surcharge ? weak : response.last();
-  Allowance found{capacity.surcharge / safety, Governs::strength, {}, capacity};
+  const Response weak = Answers(failing).ultimate();
+  const Response& least = weak.last().surcharge < response.last().surcharge ? weak : response;
+  Allowance found{least.last().surcharge / safety, Governs::strength, least.end(), {}, least.last()};
+  if (!by_strength(found.end)) found.governs = Governs::end;
   if (found.surcharge < response.start().surcharge)
     throw DataError(fmt::format("safety {}: leaves {:.6g} Pa, below the initial surcharge {:.6g} Pa", safety,
                                 found.surcharge, response.start().surcharge));
   if (settlement < response.last().settlement() - response.start().settlement()) {
     const Point at = answers.settled(settlement).at;
-    if (at.surcharge < found.surcharge) found = {at.surcharge, Governs::settlement, {}, at};
+    if (at.surcharge < found.surcharge) found = {at.surcharge, Governs::settlement, End::none, {}, at};
   }
   found.at = answers.under(found.surcharge).at;
   return found;

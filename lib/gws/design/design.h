@@ -27,14 +27,17 @@ struct StiffnessRange {
   double low = 1e3, high = 1e8;
 };
 
-enum class Governs { settlement, strength, range };
+/// Limits that decide. range: the softest geotextile of the range will do. end: neither limit does, since the response
+/// of the bag, or of one with a softer geotextile, ends before it.
+enum class Governs { settlement, strength, range, end };
 
 /// The answer to a demand.
 struct Design {
   /// Softest geotextile that meets the demand, with its required strength.
   Geotextile geotextile;
-  /// Criterion that decides.
+  /// Limit that decides, and why a response ends before both (Governs::end).
   Governs governs = Governs::settlement;
+  End end = End::none;
   /// States after compaction, at the surcharge, and at `safety` times it.
   Point start, service, factored;
 };
@@ -50,8 +53,9 @@ Design smallest_geotextile(const Case& bag, const Demand& demand, const Stiffnes
 struct Allowance {
   /// Admissible surcharge, Pa.
   double surcharge = 0;
-  /// Criterion that decides.
+  /// Limit that decides, and why a response ends before both (Governs::end).
   Governs governs = Governs::strength;
+  End end = End::none;
   /// State at the surcharge, and the state that limits it: at failure, or else the same.
   Point at, limit;
 };

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 
 #include "core/error.h"
@@ -35,7 +36,8 @@ std::string notes(const std::vector<BagSeries>& series) {
   return text;
 }
 
-std::string_view governing(Governs governs) {
+/// Returns the limit that decides. most: what the bag carries at most where its response ends before both limits.
+std::string governing(Governs governs, End end, const std::string& most) {
   switch (governs) {
     case Governs::settlement:
       return "the settlement governs";
@@ -43,6 +45,9 @@ std::string_view governing(Governs governs) {
       return "the strength governs";
     case Governs::range:
       return "the softest of the range will do";
+    case Governs::end:
+      return fmt::format("neither settlement nor strength governs,\nsince {}{}{}", most, end == End::none ? "" : ":\n",
+                         end == End::none ? "" : reason(end));
   }
   return "";
 }
@@ -214,25 +219,29 @@ std::string describe(const Design& design, const Demand& demand, const Case& bag
   const std::string scaled = found.curve.known() ? fmt::format(", {:.4g} times the tensions of {}",
                                                                found.strength / given.strength, given.name)
                                                  : "";
+  std::string governs = governing(
+      design.governs, design.end,
+      fmt::format("with a softer geotextile the bag does not carry {:.6g} kPa", design.factored.surcharge / 1e3));
+  governs.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(governs.front())));
   return fmt::format(
-      "Smallest stiffness {:.5g} kN/m{} with a strength of {:.5g} kN/m{} ({}).\n"
+      "Smallest stiffness {:.5g} kN/m{} with a strength of {:.5g} kN/m{}.\n{}.\n"
       "At {:.6g} kPa the bag settles {:.4g} % ({:.3g} mm) with a tension of {:.4g} kN/m; at {:.4g} times that, {:.6g} "
       "kPa,\n"
       "the tension is {:.4g} kN/m, {:.3g} of the {}, at a settlement of {:.4g} %.\n",
-      found.stiffness / 1e3, secant, found.strength / 1e3, scaled, governing(design.governs), demand.surcharge / 1e3,
-      100 * settled, 1e3 * bag.bag.height * settled, design.service.hoop_tension / 1e3, demand.safety,
-      design.factored.surcharge / 1e3, design.factored.hoop_tension / 1e3,
-      design.factored.hoop_tension / (design.geotextile.strength / bag.reduction), compared_strength(bag),
-      100 * (design.factored.settlement() - design.start.settlement()));
+      found.stiffness / 1e3, secant, found.strength / 1e3, scaled, governs, demand.surcharge / 1e3, 100 * settled,
+      1e3 * bag.bag.height * settled, design.service.hoop_tension / 1e3, demand.safety, design.factored.surcharge / 1e3,
+      design.factored.hoop_tension / 1e3, design.factored.hoop_tension / (design.geotextile.strength / bag.reduction),
+      compared_strength(bag), 100 * (design.factored.settlement() - design.start.settlement()));
 }
 
 std::string describe(const Allowance& allowance, double settlement, double safety, const Case& bag) {
+  const std::string most = fmt::format("the bag carries {:.6g} kPa at most", allowance.limit.surcharge / 1e3);
   return fmt::format(
       "Carries {:.6g} kPa within a settlement of {:.4g} % and with a safety of {:.4g}: {}.\n"
       "There the tension of the geotextile {} is {:.4g} kN/m, {:.3g} of its {}.\n",
-      allowance.surcharge / 1e3, 100 * settlement, safety, governing(allowance.governs), bag.geotextile.name,
-      allowance.at.hoop_tension / 1e3, allowance.at.hoop_tension / (bag.geotextile.strength / bag.reduction),
-      compared_strength(bag));
+      allowance.surcharge / 1e3, 100 * settlement, safety, governing(allowance.governs, allowance.end, most),
+      bag.geotextile.name, allowance.at.hoop_tension / 1e3,
+      allowance.at.hoop_tension / (bag.geotextile.strength / bag.reduction), compared_strength(bag));
 }
 
 io::Series design_table(const Design& design, double reduction) {
