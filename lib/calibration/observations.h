@@ -70,7 +70,7 @@ struct Simulated {
   /// Ids in a table of all runs that no member has; their rows are left out.
   std::vector<std::int64_t> unknown;
   /// "coarse": stations lie within a wide gap between rows of a run. "other_sets": runs name other parameters than
-  /// their members have. "mixed": rows of several runs seem to have one id.
+  /// their members have. "equal_runs": see OtherSets. "mixed": rows of several runs seem to have one id.
   std::vector<Doubt> doubts;
 
   /// Returns the number of members with a used run.

@@ -6,6 +6,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
+
+#include "files/provenance.h"
 
 namespace soilweave::calibration {
 namespace {
@@ -13,6 +16,9 @@ namespace {
 constexpr double widest_share = 0.2;
 // Tables may give parameters in two or three digits.
 constexpr double rounding_of_tables = 0.01;
+// Fewer rows may be equal by rounding alone.
+constexpr std::size_t fewest_rows = 3;
+constexpr std::size_t listed = 3;
 
 }  // namespace
 
@@ -44,6 +50,7 @@ OtherSets::OtherSets(const io::Series& sets, const Observations& observed, const
 }
 
 void OtherSets::compare(const io::Series& run, std::int64_t id, std::size_t member) {
+  compare_rows(run, id, member);
   for (const io::Column& set : sets_.columns) {
     const io::Column* own = run.find(set.name);
     if (!own || own->values.empty() || std::ranges::count(compared_, set.name) > 0) continue;
@@ -58,12 +65,30 @@ void OtherSets::compare(const io::Series& run, std::int64_t id, std::size_t memb
   }
 }
 
+void OtherSets::compare_rows(const io::Series& run, std::int64_t id, std::size_t member) {
+  if (run.rows() < fewest_rows) return;
+  std::string numbers;
+  for (const std::string& name : compared_)
+    if (const io::Column* column = run.find(name)) numbers += fmt::format("{} ", fmt::join(column->values, " "));
+  const auto [known, added] = first_.try_emplace(io::sha256(numbers), id, member);
+  const auto& [first_id, first] = known->second;
+  const auto differs = [&](const io::Column& set) { return set.values[member] != set.values[first]; };
+  if (!added && std::ranges::any_of(sets_.columns, differs)) equal_.push_back(fmt::format("{} as {}", id, first_id));
+}
+
 void OtherSets::doubt(std::vector<Doubt>& doubts) const {
   if (runs_ > 0)
     doubts.push_back(
         {"other_sets", fmt::format("{} {} other parameters than the sets of their ids have, as {}; give the ensemble "
                                    "that these runs were made with",
                                    runs_, runs_ == 1 ? "run names" : "runs name", example_)});
+  const std::size_t more = equal_.size() - std::min(equal_.size(), listed);
+  if (!equal_.empty())
+    doubts.push_back(
+        {"equal_runs", fmt::format("members of other parameters have equal runs, and each is weighted: {}{}; give each "
+                                   "its own run, unless its parameters change nothing that the runs are compared by",
+                                   fmt::join(std::span(equal_).first(equal_.size() - more), ", "),
+                                   more > 0 ? fmt::format(", and {} more", more) : "")});
 }
 
 MixedRuns::MixedRuns(const Observations& observed, const Choice& choice) {

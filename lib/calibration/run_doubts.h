@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <map>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "calibration/observations.h"
@@ -28,21 +29,27 @@ class WidestGap {
   double from_ = 0, to_ = 0, station_ = 0;
 };
 
-/// Finds runs whose tables name other parameters than the sets of their ids have.
+/// Finds runs whose tables name other parameters than the sets of their ids have, and members of other parameters whose
+/// runs are equal.
 class OtherSets {
  public:
   /// sets: parameters, one row a member. Columns that are compared with observations are no parameters.
   OtherSets(const io::Series& sets, const Observations& observed, const Choice& choice);
   /// Compares a run with row `member` of the sets. A column that varies is a quantity, not a parameter.
   void compare(const io::Series& run, std::int64_t id, std::size_t member);
-  /// Adds "other_sets" if a run has a parameter that differs by more than a hundredth.
+  /// Adds "other_sets" if a run has a parameter that differs by more than a hundredth, and "equal_runs".
   void doubt(std::vector<Doubt>& doubts) const;
 
  private:
+  void compare_rows(const io::Series& run, std::int64_t id, std::size_t member);
+
   const io::Series& sets_;
   std::vector<std::string> compared_;
   std::size_t runs_ = 0;
   std::string example_;
+  /// First id and member by the digest of a run.
+  std::map<std::string, std::pair<std::int64_t, std::size_t>> first_;
+  std::vector<std::string> equal_;
 };
 
 /// Finds rows of several runs under one id where only the greatest values count, so that no station tells them apart.

@@ -200,6 +200,10 @@ PY
   [[ $output == *"  0 missing: runs/0.tsv: no such file"* ]] || show
   [[ $output == *"  1 diverged: two at t 5 is not finite"* ]] || show
   [[ $stderr == *"2 of 4 runs are not used and have no weight"* ]] || show
+  cp runs/2.tsv runs/0.tsv
+  exits 0 pf-weight assimilate ensemble.h5 observed.tsv --runs 'runs/{id}.tsv' --variance 0.01
+  [[ $stderr == *"each is weighted: 2 as 0; give each its own run"* ]] || show
+  rm runs/0.tsv
   exits 0 pf-weight assimilate ensemble.h5 observed.tsv --runs runs.tsv --variance 0.01
   [[ $stderr == *"ids in --runs that no member of the ensemble has: 96, the first 4; their rows are left out"* ]] || show
   exits 0 pf-weight assimilate ensemble.h5 observed.tsv --runs 'runs/{id}.tsv' --variance 0.01 --tsv --table runs

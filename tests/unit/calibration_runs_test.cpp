@@ -205,7 +205,8 @@ TEST(Runs, ThatNameOtherParametersThanTheirSetsAreDoubted) {
   const std::string head = "stage\tE [Pa]\tmu\tstrain_axial [1]\tratio\tstrain_xx [1]\tstrain_yy [1]\n";
   for (const char* set : {"1e7\t0.5", "2e7\t0.5"}) {
     std::string text = head;
-    for (const double at : {0.0, 0.005, 0.01, 0.02}) text += fmt::format("1\t{}\t{}\t1\t0\t0\n", set, at);
+    for (const double at : {0.0, 0.005, 0.01, 0.02})
+      text += fmt::format("1\t{}\t{}\t{}\t0\t0\n", set, at, runs.ids.size());
     runs.add(text);
   }
   const auto read = [&](double first, double second) {
@@ -218,6 +219,26 @@ TEST(Runs, ThatNameOtherParametersThanTheirSetsAreDoubted) {
       read(1e7, 3e7),
       "other_sets: 1 run names other parameters than the sets of their ids have, as member 1, whose E is 2e+07 in "
       "its run and 3e+07 in its set; give the ensemble that these runs were made with\n");
+}
+
+TEST(Runs, ThatAreEqualAlthoughTheirSetsDifferAreDoubted) {
+  Runs runs;
+  for (const int ratio : {5, 5, 6, 5, 5, 5}) {
+    std::string text = header;
+    for (const double at : {0.0, 0.005, 0.01, 0.02}) text += fmt::format("1\t{}\t{}\t0\t0\n", at, ratio);
+    runs.add(text);
+  }
+  const auto read = [&](const std::vector<double>& E) {
+    const io::Series sets{{{"E", "Pa", "", E}}};
+    const Observations lab_curve = observed(compared);
+    return said(simulated((runs.folder / "{id}.tsv").string(), runs.ids, lab_curve, compared, runs.sources, sets));
+  };
+  EXPECT_EQ(read({1, 1, 2, 1, 1, 1}), "");
+  const std::string begins = "equal_runs: members of other parameters have equal runs, and each is weighted: ";
+  const std::string remedy =
+      "; give each its own run, unless its parameters change nothing that the runs are compared by\n";
+  EXPECT_EQ(read({1, 2, 3, 1, 1, 1}), begins + "1 as 0" + remedy);
+  EXPECT_EQ(read({1, 2, 3, 4, 5, 6}), begins + "1 as 0, 3 as 0, 4 as 0, and 1 more" + remedy);
 }
 
 TEST(Runs, AColumnThatIsNotThereIsAnErrorOfTheWhole) {
