@@ -199,10 +199,11 @@ PY
   [[ $output == *"4 parameter sets, 2 runs used, 1 missing, 1 diverged; those have no weight:"* ]] || show
   [[ $output == *"  0 missing: runs/0.tsv: no such file"* ]] || show
   [[ $output == *"  1 diverged: two at t 5 is not finite"* ]] || show
-  [[ $stderr == *"2 of 4 runs are not used and have no weight"* ]] || show
+  [[ $stderr == *"2 of 4 runs are not used and have no weight: member 0, missing (runs/0.tsv: no such file); member 1, diverged (two at t 5 is \
+not finite); make such runs anew, or mend their tables"* ]] || show
   cp runs/2.tsv runs/0.tsv
   exits 0 pf-weight assimilate ensemble.h5 observed.tsv --runs 'runs/{id}.tsv' --variance 0.01
-  [[ $stderr == *"each is weighted: 2 as 0; give each its own run"* ]] || show
+  [[ $stderr == *"1 of 4 runs is not used and has no weight: member 1, diverged"* && $stderr == *"each is weighted: 2 as 0; give each its own run"* ]] || show
   rm runs/0.tsv
   exits 0 pf-weight assimilate ensemble.h5 observed.tsv --runs runs.tsv --variance 0.01
   [[ $stderr == *"ids in --runs that no member of the ensemble has: 96, the first 4; their rows are left out"* ]] || show

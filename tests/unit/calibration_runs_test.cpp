@@ -175,6 +175,13 @@ TEST(Runs, ThatAreMissingOrUnfitHaveNoValuesAndAReason) {
                        "short; those have no weight:\n  1 too short: ends at"),
       std::string::npos)
       << describe(a);
+  const std::string unused = doubts(a, false).front().sentence;
+  EXPECT_EQ(
+      unused.find("7 of 8 runs are not used and have no weight: member 1, too short (ends at strain_axial 1.5, the "
+                  "observations at 2); member 2, diverged (ratio at strain_axial 0.5 is not finite); member 3, out "
+                  "of order (strain_axial does not increase from row 2 to 3); 4 more (--table runs); make such runs"),
+      0u)
+      << unused;
   for (const auto& group : groups_of(a))
     for (const io::Column& column : group.table.columns)
       for (const double value : column.values)

@@ -16,7 +16,7 @@ namespace {
 
 // Least Assimilation::kept_share at which the observations tell almost nothing about the parameters.
 constexpr double nothing_learnt = 0.99;
-constexpr std::size_t listed_runs = 20, listed_steps = 12;
+constexpr std::size_t listed_runs = 20, listed_steps = 12, named_runs = 3;
 
 double degenerate_below(const Assimilation& a) { return static_cast<double>(a.ensemble.prior.size()) + 1; }
 
@@ -120,13 +120,25 @@ std::vector<std::string> distances(const Assimilation& a) {
   return all;
 }
 
+/// Returns how many runs have no weight, with the first of them and their reasons.
+std::string unused_text(const Assimilation& a) {
+  const std::size_t n = a.ensemble.size(), unused = n - a.runs.used();
+  std::vector<std::string> first;
+  for (std::size_t i = 0; i < n && first.size() < named_runs; ++i)
+    if (a.runs.fate[i] != Fate::used)
+      first.push_back(fmt::format("member {}, {} ({})", a.ensemble.id[i], word(a.runs.fate[i]),
+                                  a.runs.why[i].substr(0, a.runs.why[i].find('\n'))));
+  return fmt::format("{} of {} runs {} not used and {} no weight: {}{}; make such runs anew, or mend their tables",
+                     unused, n, unused == 1 ? "is" : "are", unused == 1 ? "has" : "have", fmt::join(first, "; "),
+                     unused > first.size() ? fmt::format("; {} more (--table runs)", unused - first.size()) : "");
+}
+
 }  // namespace
 
 std::vector<Doubt> doubts(const Assimilation& a, bool weights_told) {
   std::vector<Doubt> list;
   const auto n = a.ensemble.size();
-  if (a.runs.used() < n)
-    list.push_back({"unused", fmt::format("{} of {} runs are not used and have no weight", n - a.runs.used(), n)});
+  if (a.runs.used() < n) list.push_back({"unused", unused_text(a)});
   if (!a.runs.unknown.empty())
     list.push_back(
         {"unknown",
