@@ -205,20 +205,34 @@ std::optional<std::size_t> outlier(const Curves& curves, const std::vector<doubl
   return std::nullopt;
 }
 
-/// Returns "row R, where ..." sentences on strains that shearing did not cause.
+/// Returns sentences on strains at the beginning that shearing did not cause: they are there where the stresses are
+/// still those of rest, or the first row lies far from rest and near the next rows, or its volume changes more than its
+/// height.
 std::vector<std::string> before_shearing(const Curves& curves) {
+  constexpr std::size_t next_rows = 5;
   std::vector<std::string> all;
-  const std::size_t first = rising(curves.strain).front(), row = curves.ratio[first] < begun ? first : 0;
-  if (!(curves.ratio[row] < begun)) return all;
-  const auto look = [&](const char* name, double value, double clear) {
-    if (std::abs(value) > clear)
-      all.push_back(
-          fmt::format("the {} strain is {:.3g} % in row {}, where axial over radial stress is still {:.4g}: strains "
-                      "count from the end of the isotropic compression; subtract what was there before",
-                      name, 100 * value, row + 1, curves.ratio[row]));
+  const std::vector<std::size_t> rows = rising(curves.strain);
+  const std::size_t first = rows.front(), row = curves.ratio[first] < begun ? first : 0;
+  const bool rests = curves.ratio[row] < begun;
+  const auto say = [&](const char* name, double value, std::size_t at, const std::string& why) {
+    all.push_back(fmt::format(
+        "the {} strain is {:.3g} % in row {}, {}: strains count from the end of the isotropic compression; subtract "
+        "what was there before, or give the rows from rest on",
+        name, 100 * value, at + 1, why));
   };
-  look("axial", curves.strain[row], clear_axial);
-  look("volumetric", curves.volumetric[row], clear_volume);
+  const std::string still = fmt::format("where axial over radial stress is still {:.4g}", curves.ratio[row]);
+  const double axial = curves.strain[first], volumetric = curves.volumetric[first];
+  double step = 0;
+  for (std::size_t k = 1; k < rows.size() && k <= next_rows; ++k)
+    step = std::max(step, curves.strain[rows[k]] - curves.strain[rows[k - 1]]);
+  if (rests && std::abs(curves.strain[row]) > clear_axial)
+    say("axial", curves.strain[row], row, still);
+  else if (step > 0 && axial > std::max(clear_axial, steps_beside * step))
+    say("axial", axial, first, fmt::format("and rises by {:.3g} % at most from row to row after it", 100 * step));
+  if (rests && std::abs(curves.volumetric[row]) > clear_volume)
+    say("volumetric", curves.volumetric[row], row, still);
+  else if (std::abs(volumetric) > std::max(clear_volume, axial))
+    say("volumetric", volumetric, first, "more than the axial strain");
   return all;
 }
 
