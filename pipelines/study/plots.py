@@ -33,13 +33,17 @@ def is_hdf5(path):
         raise StudyError(f"{path}: cannot be read: {error.strerror}") from error
 
 
+def _demand_rows(table):
+    if len(table) == 0:
+        raise StudyError(f"{table.where}: has no rows below its header")
+
+
 def stage_of(table, stage, kind):
     """Returns the rows of a stage: its number, "all", "last", or "" for what the kind shows by default.
 
     A bag is by default shown from the row where its settlement is 0 to its end.
     """
-    if len(table) == 0:
-        raise StudyError(f"{table.where}: has no rows below its header")
+    _demand_rows(table)
     if not stage and kind.table[1:] == ("loading",) and table.has("settlement"):
         return table.rows(numpy.maximum.accumulate(table("settlement", "m") == 0))
     wanted = stage or ("all" if kind.whole else "last")
@@ -104,6 +108,14 @@ def _over(table, panel):
     instead = ("draw the text of a volume among its grains: homogenize RUN --table volumes --box=X0,X1,Y0,Y1,Z0,Z1 --tsv (of disks --box=X0,X1,Y0,Y1)"
                if of_volumes else "see the columns of its plates: homogenize RUN --table series --tsv")
     return _column(table, panel.abscissa, f"; a cell that is not periodic has none: {instead}")
+
+
+def _demand_data(table, kind):
+    """Raises StudyError for test data without rows, or without a value to be drawn over: no other table of a run mends them."""
+    _demand_rows(table)
+    for panel in kind.panels:
+        if table.has(panel.abscissa.column):
+            _column(table, panel.abscissa, "; give test data that have one")
 
 
 def _abscissae(table, panel):
@@ -179,6 +191,8 @@ def draw(name, tables, beside=()):
     tables: pairs of a name for the legend and its Table, drawn as lines. beside: such pairs, drawn as points in the panels whose
     columns they have. Raises StudyError where a column is missing.
     """
+    for _, table in beside:
+        _demand_data(table, KINDS[name])
     if name == "rose":
         return _rose(tables)
     if name == "posterior":

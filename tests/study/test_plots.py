@@ -31,6 +31,13 @@ def test_a_table_without_rows_is_refused():
         plots.stage_of(table_for(kinds.KINDS["stress-strain"], rows=0), "", kinds.KINDS["stress-strain"])
 
 
+@pytest.mark.parametrize(("rows", "why"), [("", "has no rows below its header"), ("nan\t1\n", "column strain_axial has no value; give test data")])
+def test_test_data_without_numbers_are_refused_without_remedies_for_runs(rows, why):
+    empty = Table.parse(f"strain_axial [%]\tstress_ratio\n{rows}", "b.tsv")
+    with pytest.raises(StudyError, match=f"b.tsv: {why}"):
+        plots.draw("stress-strain", [("run", table_for(kinds.KINDS["stress-strain"]))], [("b", empty)])
+
+
 LINED = [name for name, kind in kinds.KINDS.items() if kind.panels]
 
 
