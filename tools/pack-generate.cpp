@@ -163,7 +163,7 @@ struct PackGenerate {
       const std::optional<Doubt> finest = packing::finest_doubt(curve);
       for (const std::optional<Doubt>& doubt : {finest, packing::size_doubt(curve)})
         if (doubt) about.push_back(*doubt);
-      if (const std::string lack = curve.left_out(); !finest && !lack.empty()) notes.push_back(grading + ": " + lack);
+      for (const std::string& note : curve.notes(!finest)) notes.push_back(grading + ": " + note);
     }
     if (auto doubt = coarsest ? packing::coarsest_doubt(curve, *coarsest) : std::nullopt) about.push_back(*doubt);
     if (coarsest) curve = curve.up_to(*coarsest);

@@ -268,8 +268,9 @@ m, r = (x["value"][-1] if hasattr(x, "keys") else x[()] for x in (m, r)); print(
 }
 
 @test "sand of true size packs at the first command, and the file states the stiffness that belongs to it" {
-  printf 'diameter [mm]\tfiner_by_mass [1]\n0.1\t0\n0.2\t0.5\n0.4\t1\n' > sand.tsv
+  printf 'diameter [mm]\tfiner_by_mass [1]\tdepth [m]\n0.1\t0\t2\n0.2\t0.5\t2\n0.4\t1\t2\n' > sand.tsv
   exits 0 pack-generate --grading sand.tsv --grains 200 --aspect 1 --void-ratio 0.7 --pressure 1e5 -o sand.h5
+  [[ $stderr == *"pack-generate: sand.tsv: columns left out: depth"* ]] || show
   to-vtk --history sand.h5 | grep -q 'stiffness = [0-9.]*e-0[67]' || show "$(to-vtk --history sand.h5)"
   to-vtk --history packing.h5 | grep -q 'stiffness = 0.13$' || show "$(to-vtk --history packing.h5)"
 }
@@ -313,6 +314,11 @@ m, r = (x["value"][-1] if hasattr(x, "keys") else x[()] for x in (m, r)); print(
     --grading grading.tsv -o out.h5
   printf 'Diameter [mm]\tfiner_by_mass [1]\n1\t0.5\n2\t1\n' > grading.tsv
   unmade 65 "did you mean diameter instead of Diameter?" --grading grading.tsv -o out.h5
+  printf 'Diameter [mm]\tdiameter [m]\tfiner_by_mass [1]\n1\t1\t1\n' > grading.tsv
+  unmade 65 "grading.tsv: its columns diameter and Diameter could both be meant: leave one of them out, and head the other diameter" \
+    --grading grading.tsv -o out.h5
+  printf 'diameter [mm],finer_by_mass [%%],finer_by_mass_upper [%%]\n1,0,10\n2,100,100\n' > grading.tsv
+  unmade 65 "its columns finer_by_mass and finer_by_mass_upper could both be meant" --grading grading.tsv -o out.h5
   printf 'diameter [mm]\tfiner_by_mass [1]\n1 0.5\n' > grading.tsv
   unmade 65 "grading.tsv: line 2, column 2: 1 values where the header names 2 columns" --grading grading.tsv -o out.h5
 }

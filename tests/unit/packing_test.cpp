@@ -76,6 +76,17 @@ TEST(Grading, SaysWhatIsLeftOut) {
   EXPECT_EQ(Grading::from_tsv("diameter [mm]\tfiner_by_mass [%]\n0.075\t0\n1\t100\n", "g").left_out(), "");
 }
 
+TEST(Grading, FurtherColumnsAreNamedAndThoseWithNearlyANeededNameRefused) {
+  const auto read = [](const std::string& heads) {
+    return Grading::from_tsv("diameter [mm]\tfiner_by_mass [%]\t" + heads + "\n1\t0\t5\n2\t100\t5\n", "g");
+  };
+  EXPECT_EQ(read("depth [m]").notes(true), (std::vector<std::string>{"columns left out: depth"}));
+  EXPECT_EQ(read("finer_by_number [%]").unread, (std::vector<std::string>{"finer_by_number"}));
+  for (const std::string name : {"finer_by_mass_upper", "Finer_By_Mass", "Diameter", "diameter_mean"})
+    io::test::expect_error<DataError>([&] { read(name + " [mm]"); },
+                                      name + " could both be meant: leave one of them out");
+}
+
 TEST(Grading, OneSizeIsACurve) {
   const Grading curve = Grading::from_tsv("diameter [mm]\tfiner_by_mass [1]\n3\t1\n", "g");
   for (const double r : curve.radii(5, 3)) EXPECT_DOUBLE_EQ(r, 1.5e-3);

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 #include <charconv>
 #include <cmath>
 #include <optional>
@@ -154,6 +155,23 @@ const Column& Series::at(std::string_view name) const {
   const std::string near = nearest(name, names);
   throw DataError(fmt::format("no column {} among {}{}", name, column_names(*this),
                               near.empty() ? "" : fmt::format("; did you mean {}?", near)));
+}
+
+std::vector<std::string> columns_like(const Series& table, std::string_view name) {
+  std::vector<std::string> found;
+  for (const Column& column : table.columns) {
+    std::string low = column.name;
+    std::ranges::transform(low, low.begin(), [](unsigned char c) { return std::tolower(c); });
+    if (column.name != name && low.find(name) != std::string::npos) found.push_back(column.name);
+  }
+  return found;
+}
+
+void demand_one(const Series& table, std::string_view name, const std::string& where) {
+  if (const std::vector<std::string> others = columns_like(table, name); !others.empty())
+    throw DataError(
+        fmt::format("{}: its columns {} and {} could both be meant: leave one of them out, and head the other {}",
+                    where, name, others.front(), name));
 }
 
 std::string column_names(const Series& table) {

@@ -24,6 +24,12 @@ Series from_tsv(std::string_view text, const std::string& where);
 std::vector<double> in_unit(const Series& table, std::string_view name, std::string_view unit,
                             const std::string& where);
 
+/// Returns the names of other columns that hold `name`, in any case, and could be meant for it: mean_diameter,
+/// Diameter.
+std::vector<std::string> columns_like(const Series& table, std::string_view name);
+/// Throws DataError if there is such a column.
+void demand_one(const Series& table, std::string_view name, const std::string& where);
+
 /// Returns "a, b, c" for messages; the first names and a count if there are many.
 std::string column_names(const Series& table);
 

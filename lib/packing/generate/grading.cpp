@@ -38,6 +38,9 @@ Grading Grading::from_tsv(std::string_view text, const std::string& where) {
       throw DataError(fmt::format("{}: no column {} among {}{}: head the columns diameter [mm] and finer_by_mass [%]",
                                   where, name, io::column_names(table), meant(table, name)));
   Grading g;
+  for (const char* name : {"diameter", "finer_by_mass"}) io::demand_one(table, name, where);
+  for (const io::Column& column : table.columns)
+    if (column.name != "diameter" && column.name != "finer_by_mass") g.unread.push_back(column.name);
   g.diameter = io::in_unit(table, "diameter", "m", where);
   g.finer = io::in_unit(table, "finer_by_mass", "1", where);
   const std::vector<double>&given = table.at("finer_by_mass").values, &sizes = table.at("diameter").values;
@@ -67,6 +70,13 @@ std::string Grading::left_out() const {
   if (!(finer.front() > 0) || diameter.size() == 1) return "";
   return fmt::format("the part finer than {:.4g} mm, {:.3g} % of the mass, is left out", 1e3 * diameter.front(),
                      100 * finer.front());
+}
+
+std::vector<std::string> Grading::notes(bool finest) const {
+  std::vector<std::string> all;
+  if (!unread.empty()) all.push_back(fmt::format("columns left out: {}", fmt::join(unread, ", ")));
+  if (const std::string lack = left_out(); finest && !lack.empty()) all.push_back(lack);
+  return all;
 }
 
 Grading Grading::up_to(double coarsest) const {

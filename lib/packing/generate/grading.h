@@ -16,9 +16,11 @@ struct Grading {
   std::vector<double> diameter;
   /// Fractions by mass.
   std::vector<double> finer;
+  /// Names of further columns of the table, which are not read.
+  std::vector<std::string> unread = {};
 
   /// Reads a table with columns diameter (a length, as [mm]) and finer_by_mass ([%] or [1]). Throws DataError naming
-  /// document and row.
+  /// document and row, also where another column has nearly one of these names.
   static Grading from_tsv(std::string_view text, const std::string& where);
   /// Returns data/gradings/toyoura.tsv (thesis §3.2.2), as built into this program.
   static Grading toyoura();
@@ -26,6 +28,8 @@ struct Grading {
   /// Returns the missing part in words: "the part finer than 0.075 mm, 10 % of the mass, is left out"; empty for a
   /// curve from 0 %.
   std::string left_out() const;
+  /// Returns sentences on what is left out: columns, and, with `finest`, the part of left_out().
+  std::vector<std::string> notes(bool finest) const;
   /// Returns the curve without grains coarser than `diameter`, m. Throws DataError if nothing is left.
   Grading up_to(double diameter) const;
 
