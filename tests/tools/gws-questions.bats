@@ -207,6 +207,8 @@ tables_of_tests() {
 0;;n > 1 && $1 < 3 { next } n > 1 && n % 10 { next }
 0;doubt: t.tsv: axial_strain has no unit and is taken for a fraction;n == 1 { $1 = "axial_strain" } n > 1 { $1 /= 100 }
 0;doubt: t.tsv: the column axial_stress is not read;n == 1 { $4 = "axial_stress [kPa]" } n > 1 { $4 = $3 + 100 }
+0;doubt: t.tsv: the column deviatoric_stress_corrected is not read, but deviatoric_stress: if it is meant, leave deviatoric_stress out and give;n == 1 { $4 = "deviatoric_stress_corrected [kPa]" } n > 1 { $4 = $3 + 5 }
+0;doubt: t.tsv: the column axial_strain is not read;n == 1 { $4 = "strain_axial [%]" } n > 1 { $4 = $1 + 5 }
 0;doubt: t.tsv: its friction angle is 57.1 deg, where granular soils have 22 to 55;n > 1 { $3 *= 2.82 }
 0;doubt: E50 is 3.14 MPa under 100 kPa, where Toyoura sand has 36.1 MPa: check its unit;n > 1 { $1 *= 3; $3 /= 3 }
 TABLE

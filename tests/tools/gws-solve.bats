@@ -380,6 +380,15 @@ from 7.50"*" kPa on; give rows from 0 kPa on"* ]] || show
 cannot unload: give rows that rise" --geotextile PP --lateral-history history.tsv
 }
 
+@test "a column that could be meant for a needed one is refused by name" {
+  printf 'surcharge [kPa]\tlateral_stress [kPa]\tlateral_stress_upper [kPa]\n0\t10\t20\n' > history.tsv
+  refuses 65 respond "history.tsv: its columns lateral_stress and lateral_stress_upper could both be meant: leave one of them out, \
+and head the other lateral_stress" --geotextile PP --lateral-history history.tsv
+  printf 'confining_pressure [kPa]\tobliquity_at_failure [1]\tObliquity_at_failure [1]\n100\t1.4\t1.5\n200\t1.3\t1.4\n' > points.tsv
+  refuses 65 identify "points.tsv: its columns obliquity_at_failure and Obliquity_at_failure could both be meant: leave one of them out, \
+and head the other obliquity_at_failure" "$DEM/soilbag_uniaxial_PE.tsv" --failure points.tsv
+}
+
 @test "what is inadmissible is refused with range and reason" {
   refuses 64 respond "--stiffness: -5 is out of range: must be between 0 and 1e10 N/m (without stiffness the \
 geotextile holds nothing)" --geotextile PP --stiffness -5

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <initializer_list>
 #include <string>
 
 #include "core/error.h"
@@ -27,10 +28,15 @@ constexpr Span friction{22, 55};
 constexpr double greatest_obliquity = 3 * (15.0 - 1) / (15.0 + 2);
 constexpr double greatest_strain = 0.3;
 
-io::Series read(const std::filesystem::path& path, std::vector<io::Source>& sources) {
+// Reads a table, in which no further column could be meant for one of these.
+io::Series read(const std::filesystem::path& path, std::initializer_list<const char*> names,
+                std::vector<io::Source>& sources) {
   const io::TextFile text = io::read_text(path, "points");
   sources.push_back(text.source);
-  return io::from_tsv(text.text, path.string());
+  io::Series table = io::from_tsv(text.text, path.string());
+  for (const char* name : names)
+    if (table.find(name)) io::demand_one(table, name, path.string());
+  return table;
 }
 
 // Throws DataError for the first row with an impossible pressure.
@@ -46,7 +52,7 @@ void judge_pressures(const std::vector<double>& values, const char* name, const 
 
 Points compression_points(const std::filesystem::path& path, std::vector<io::Source>& sources) {
   if (path.empty()) return {};
-  const io::Series table = read(path, sources);
+  const io::Series table = read(path, {"mean_stress", "strain_volumetric"}, sources);
   const std::string where = path.string();
   Points points{io::in_unit(table, "mean_stress", "Pa", where), io::in_unit(table, "strain_volumetric", "1", where)};
   judge_pressures(points.x, "mean_stress", where);
@@ -65,7 +71,7 @@ Points compression_points(const std::filesystem::path& path, std::vector<io::Sou
 
 Points failure_points(const std::filesystem::path& path, bool confined, std::vector<io::Source>& sources) {
   if (path.empty()) return {};
-  const io::Series table = read(path, sources);
+  const io::Series table = read(path, {"confining_pressure", "obliquity_at_failure"}, sources);
   const std::string where = path.string();
   Points points{io::in_unit(table, "confining_pressure", "Pa", where),
                 io::in_unit(table, "obliquity_at_failure", "1", where)};

@@ -10,6 +10,7 @@
 #include <cstddef>
 #include <initializer_list>
 #include <optional>
+#include <utility>
 
 #include "core/error.h"
 #include "core/text/text.h"
@@ -257,10 +258,21 @@ Curves read_curves(const std::string& path, double pressure, std::vector<io::Sou
   curves.ratio = stress_ratios(table, curves.stress, pressure, path);
   for (const std::string& name : {axial, volumetric})
     if (table.at(name).unit.empty()) curves.without_unit.push_back(name);
+  const std::vector<std::string> like_stress = io::columns_like(table, curves.stress);
   for (const io::Column& column : table.columns)
     if (is_stress(column) && column.name != "mean_stress" && column.name != "deviatoric_stress" &&
-        std::ranges::find(lateral_names, column.name) == lateral_names.end())
+        std::ranges::find(lateral_names, column.name) == lateral_names.end() &&
+        std::ranges::find(like_stress, column.name) == like_stress.end())
       curves.unread.push_back(column.name);
+  for (const auto& [name, names] : {std::pair{axial, axial_names}, std::pair{volumetric, volumetric_names}})
+    for (const char* other : names)
+      if (name != other && table.find(other)) curves.unread.emplace_back(other);
+  for (const std::string& name : {axial, volumetric, curves.stress})
+    for (const std::string& other : io::columns_like(table, name))
+      curves.alike.push_back(
+          fmt::format("the column {} is not read, but {}: if it is meant, leave {} out and give it that "
+                      "name",
+                      other, name, name));
   if (table.rows() == 0) throw DataError(path + ": has no rows below its header");
   judge(curves, path);
   judge_drained(table, curves, pressure, path);
@@ -273,7 +285,7 @@ std::vector<Doubt> doubts(const Curves& curves, const std::string& path) {
   const auto say = [&](const char* key, const std::vector<std::string>& said) {
     if (!said.empty()) all.push_back({key, fmt::format("{}: {}", path, fmt::join(said, "; "))});
   };
-  std::vector<std::string> units, unread, outliers;
+  std::vector<std::string> units, unread = curves.alike, outliers;
   for (const std::string& name : curves.without_unit)
     units.push_back(name + " has no unit and is taken for a fraction; write [%] or [1]");
   say("triaxial-units", units);

@@ -16,8 +16,9 @@ struct Curves {
   std::vector<double> strain, volumetric, ratio;
   /// Column that the ratio is computed from, "stress_ratio" or "deviatoric_stress".
   std::string stress;
-  /// Strains without a unit, and stresses that are not read, in the order of the table.
-  std::vector<std::string> without_unit, unread;
+  /// Strains without a unit, columns that are not read, and sentences on columns that could be meant for those that
+  /// are.
+  std::vector<std::string> without_unit, unread, alike;
 };
 
 /// Reads a table with strain_axial, strain_volumetric and stress_ratio (or deviatoric_stress). pressure: confining

@@ -123,6 +123,7 @@ LateralStress CaseOptions::read_lateral(std::vector<io::Source>& sources) const 
   const io::Series table = io::from_tsv(text.text, history.string());
   const std::string where = history.string();
   if (table.rows() == 0) throw DataError(where + ": has no rows: give one at least, or leave out --lateral-history");
+  for (const char* name : {"surcharge", "lateral_stress"}) io::demand_one(table, name, where);
   return {io::in_unit(table, "surcharge", "Pa", where), io::in_unit(table, "lateral_stress", "Pa", where),
           where + ": lateral stress"};
 }
