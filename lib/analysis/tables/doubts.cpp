@@ -232,6 +232,7 @@ std::vector<Doubt> of_scenario(const io::Snapshot& start, const dem::Scenario& s
   std::vector<Doubt> doubts = material_doubts(start, scenario.model, scenario.numerics.gravity);
   append(doubts, input_doubts(begun, scenario));
   append(doubts, stage_friction_doubts(scenario));
+  append(doubts, clamp_doubts(scenario, begun));
   std::vector<Doubt> jumps = start_doubts(start, begun, scenario);
   // A jump at the start may cause later ones, so they are not reported.
   append(doubts, jumps.empty() ? jump_doubts(begun, scenario) : std::move(jumps));
