@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <functional>
 #include <string>
 
 #include "core/error.h"
@@ -168,6 +170,44 @@ TEST(Gmsh, NodesAndBoundariesAreRefusedByTheirNumbers) {
   refused(file_2(square_8, {"8 2 1 1 1 2 6", "16 2 3 1 1 2 3 4 5 6 7 8"}), "has node 6 in the middle of an edge");
   refused("$NOD\n1\n1 0 0 0\n$ENDNOD\n", "is in Gmsh's format 1");
   refused("Point(1) = {0,0,0};\n", "seems to be a geometry of Gmsh");
+}
+
+TEST(Gmsh, ANameOfSeveralGroupsIsRefusedWhereItIsUsed) {
+  const std::vector<std::string> soil = {"2 2 3 1 1 2 3", "2 2 3 1 1 3 4"};
+  const auto with = [&](std::vector<std::string> items) {
+    items.insert(items.end(), soil.begin(), soil.end());
+    return file_2(square, items);
+  };
+  const auto shared = [](const std::string& text, const std::string& name, const std::string& words) {
+    const Mesh mesh = read_gmsh(text, "x.msh");
+    for (const auto& use : std::vector<std::function<void()>>{
+             [&] { mesh.boundary(name); }, [&] { mesh.nodes_on(name); }, [&] { mesh.boundary_with_edges(name); }})
+      io::test::expect_error<DataError>(use, words);
+    return mesh;
+  };
+  const std::string remedy = " of the mesh alike; give each a name of its own in Gmsh, as Physical ";
+  const Mesh mesh =
+      shared(with({"15 2 7 1 4", "1 2 7 1 1 2", "1 2 8 1 3 4"}), "7",
+             "the name \"7\" means physical point 7 and physical curve 7" + remedy + "Point(\"point-7\", 7) = {1};");
+  EXPECT_EQ(mesh.boundary("8").nodes.size(), 2U) << "the other names remain";
+  const auto named = [&](std::string text, const std::string& name) {
+    return text.replace(text.find("1 4 \"ends\""), 10, name);
+  };
+  shared(named(with({"15 2 7 1 4", "1 2 1 1 1 2"}), "0 7 \"bottom\""), "bottom",
+         "physical point 7 and physical curve 1");
+  shared(named(with({"1 2 2 1 3 4", "1 2 4 1 1 2"}), "1 4 \"2\""), "2",
+         "physical curve 2 and physical curve 4" + remedy + "Curve(\"curve-2\", 2) = {1};");
+  EXPECT_EQ(read_gmsh(named(with({"15 2 7 1 4", "1 2 7 1 1 2"}), "0 7 \"point-7\""), "x.msh").boundaries.size(), 2U)
+      << "the remedy";
+  const std::string four = "$Entities\n1 1 1 0\n1 0 0 0 1 5\n1 0 0 0 1 0 0 1 5 0\n1 0 0 0 1 1 0 1 3 0\n$EndEntities\n";
+  shared(head_4 + four +
+             "$Nodes\n1 3 1 3\n2 1 0 3\n1\n2\n3\n0 0 0\n1 0 0\n1 1 0\n$EndNodes\n"
+             "$Elements\n3 3 1 3\n0 1 15 1\n1 1\n1 1 1 1\n2 1 2\n2 1 2 1\n3 1 2 3\n$EndElements\n",
+         "5", "physical point 5 and physical curve 5");
+  const Mesh all = read_gmsh(named(with({"1 2 4 1 3 4"}), "1 4 \"all\""), "x.msh");
+  EXPECT_EQ(all.boundary("all").ends.size(), 1U);
+  io::test::expect_error<DataError>([&] { all.nodes_on("all"); }, "\"all\" means every node, and a boundary");
+  EXPECT_EQ(mesh.nodes_on("all").size(), 4U);
 }
 
 // Two adjacent squares share no node.

@@ -26,6 +26,10 @@ void collect_nodes(Boundary& b) {
   b.nodes.erase(std::unique(b.nodes.begin(), b.nodes.end()), b.nodes.end());
 }
 
+void refuse_ambiguous(const Mesh& mesh, const std::string& name) {
+  if (const auto found = mesh.ambiguous.find(name); found != mesh.ambiguous.end()) throw DataError(found->second);
+}
+
 }  // namespace
 
 ElementNodes Mesh::corners(Index element, const std::vector<Vec2>& positions) const {
@@ -62,6 +66,7 @@ void Mesh::check(const std::string& where) const {
 const Boundary& Mesh::boundary(const std::string& name) const {
   const auto found = boundaries.find(name);
   if (found != boundaries.end()) return found->second;
+  refuse_ambiguous(*this, name);
   std::vector<std::string> names;
   for (const auto& [known, ignored] : boundaries) names.push_back(known);
   if (names.empty())
@@ -75,6 +80,7 @@ const Boundary& Mesh::boundary(const std::string& name) const {
 const Boundary& Mesh::boundary_with_edges(const std::string& name) const {
   const auto found = boundaries.find(name);
   if (found != boundaries.end() && !found->second.ends.empty()) return found->second;
+  refuse_ambiguous(*this, name);
   std::vector<std::string> names;
   for (const auto& [known, b] : boundaries)
     if (!b.ends.empty()) names.push_back(known);
@@ -85,6 +91,17 @@ const Boundary& Mesh::boundary_with_edges(const std::string& name) const {
     throw DataError(fmt::format("the mesh has no boundary \"{}\"{}", name, suggestion(name, names)));
   throw DataError(fmt::format("boundary \"{}\" has points alone and no length: name one with edges: {}", name,
                               fmt::join(names, ", ")));
+}
+
+std::vector<Index> Mesh::nodes_on(const std::string& name) const {
+  if (name != "all") return boundary(name).nodes;
+  if (boundaries.contains(name) || ambiguous.contains(name))
+    throw DataError(
+        "\"all\" means every node, and a boundary of the mesh has that name too; give it another in Gmsh, as "
+        "Physical Curve(\"everywhere\") = {1};");
+  std::vector<Index> every(nodes.size());
+  std::iota(every.begin(), every.end(), Index{0});
+  return every;
 }
 
 std::vector<Index> Mesh::line(const std::vector<std::string>& names) const {

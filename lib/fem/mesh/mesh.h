@@ -35,6 +35,8 @@ struct Mesh {
   /// Nodes of each element, counter-clockwise, corners first.
   std::vector<std::array<Index, most_nodes>> elements;
   std::map<std::string, Boundary, std::less<>> boundaries;
+  /// Names that several groups of a file have, each with a message that names them; no boundary has these names.
+  std::map<std::string, std::string, std::less<>> ambiguous;
   /// Numbers of nodes in their file; empty for a rectangle.
   std::vector<std::int64_t> node_tags;
   /// Elements reversed or repeated, nodes left out.
@@ -47,11 +49,14 @@ struct Mesh {
   /// Throws DataError with element and likely cause for node numbers out of range, an element without area or inverted,
   /// a node of no element, and an invalid boundary.
   void check(const std::string& where) const;
-  /// Returns the boundary of this name. Throws DataError naming the nearest one.
+  /// Returns the boundary of this name. Throws DataError naming the nearest one, or the groups that share the name.
   const Boundary& boundary(const std::string& name) const;
   /// Returns the boundary of this name. Throws DataError naming one with edges if there is none or if it has only
   /// points.
   const Boundary& boundary_with_edges(const std::string& name) const;
+  /// Returns the nodes of the boundary of this name, or every node for "all". Throws DataError where boundary() does,
+  /// and for "all" where a boundary has that name.
+  std::vector<Index> nodes_on(const std::string& name) const;
   /// Joins boundaries to one line of nodes. Throws DataError if they do not connect in this order.
   std::vector<Index> line(const std::vector<std::string>& names) const;
   /// Returns pairs of nodes closer than 1e-8 of the mesh size.

@@ -47,7 +47,7 @@ class Builder {
     for (Index e = 0; e < mesh_.elements.size(); ++e) sides_of(e);
     for (const GmshFile::Item& item : file_.items)
       if (!is_plane(item.type)) boundaries_of(item);
-    for (auto& [name, b] : mesh_.boundaries) collect_nodes(b);
+    name_boundaries();
     note();
     mesh_.check(where_);
     return std::move(mesh_);
@@ -164,12 +164,12 @@ class Builder {
     }
   }
 
-  std::string name_of_group(const GmshFile::Item& item, int group) const {
-    return name_of_group(item.type == gmsh::vertex ? 0 : 1, group);
-  }
-  std::string name_of_group(int dimension, int group) const {
-    const auto named = file_.names.find({dimension, group});
-    return named != file_.names.end() ? named->second : std::to_string(group);
+  // A physical group by its dimension and number. Gmsh numbers each dimension by itself.
+  using Group = std::pair<int, int>;
+
+  std::string name_of_group(const Group& group) const {
+    const auto named = file_.names.find(group);
+    return named != file_.names.end() ? named->second : std::to_string(group.second);
   }
 
   Index mesh_node(const GmshFile::Item& item, const std::string& name, std::int64_t tag) const {
@@ -184,16 +184,43 @@ class Builder {
 
   void boundaries_of(const GmshFile::Item& item) {
     for (const int group : item.groups) {
-      const std::string name = name_of_group(item, group);
-      Boundary& b = mesh_.boundaries[name];
+      const Group key(item.type == gmsh::vertex ? 0 : 1, group);
+      Boundary& b = groups_[key];
       if (item.type == gmsh::vertex)
-        b.nodes.push_back(mesh_node(item, name, item.nodes[0]));
+        b.nodes.push_back(mesh_node(item, name_of_group(key), item.nodes[0]));
       else if (is_edge(item.type))
-        edge(item, name, b);
+        edge(item, key, b);
     }
   }
 
-  void edge(const GmshFile::Item& item, const std::string& name, Boundary& b) {
+  // A name that several groups have names none of them.
+  void name_boundaries() {
+    std::map<std::string, std::vector<Group>> named;
+    for (const auto& [group, ignored] : groups_) named[name_of_group(group)].push_back(group);
+    for (const auto& [name, groups] : named) {
+      if (groups.size() > 1) {
+        mesh_.ambiguous[name] = ambiguity(name, groups);
+        continue;
+      }
+      Boundary& b = mesh_.boundaries[name] = std::move(groups_[groups[0]]);
+      collect_nodes(b);
+    }
+  }
+
+  static std::string ambiguity(const std::string& name, const std::vector<Group>& groups) {
+    const auto kind = [](const Group& group) { return group.first == 0 ? "point" : "curve"; };
+    std::vector<std::string> all;
+    for (const Group& group : groups) all.push_back(fmt::format("physical {} {}", kind(group), group.second));
+    const auto [ignored, number] = groups[0];
+    const std::string word = kind(groups[0]), kind_of_gmsh = word == "point" ? "Point" : "Curve";
+    return fmt::format(
+        "the name \"{}\" means {} of the mesh alike; give each a name of its own in Gmsh, as Physical "
+        "{}(\"{}-{}\", {}) = {{1}};",
+        name, fmt::join(all, " and "), kind_of_gmsh, word, number, number);
+  }
+
+  void edge(const GmshFile::Item& item, const Group& group, Boundary& b) {
+    const std::string name = name_of_group(group);
     if ((item.type == gmsh::line3) != (mesh_.shape == Shape::quadrilateral8))
       fail(item.line,
            fmt::format("boundary \"{}\" has a {}, but the elements are each a {}: of another order; mesh both "
@@ -214,7 +241,7 @@ class Builder {
       fail(item.line,
            fmt::format("boundary \"{}\" has node {} in the middle of an edge, element {} another; mend the mesh", name,
                        item.nodes[2], from_[side->second.element]->tag));
-    if (!edges_[name].insert(ends).second) return;
+    if (!edges_[group].insert(ends).second) return;
     b.ends.push_back(ends);
     if (curved) b.middle.push_back(side->second.middle);
   }
@@ -253,7 +280,7 @@ class Builder {
     std::vector<std::string> parts;
     for (const auto& [group, elements] : surfaces_)
       if (elements.size() < all)
-        parts.push_back(fmt::format("\"{}\" ({} of {})", name_of_group(2, group), elements.size(), all));
+        parts.push_back(fmt::format("\"{}\" ({} of {})", name_of_group({2, group}), elements.size(), all));
     if (!parts.empty())
       mesh_.doubts.push_back(
           {"mesh_surfaces", fmt::format("{}: all elements become one soil, which [soil] describes, although physical "
@@ -278,7 +305,8 @@ class Builder {
   std::map<int, std::set<Index>> surfaces_;     // elements of each physical surface
   std::map<std::int64_t, Index> number_;        // numbers of nodes by Gmsh's numbers
   std::map<std::array<Index, 2>, Side> sides_;  // sides by their end nodes, counter-clockwise
-  std::map<std::string, std::set<std::array<Index, 2>>> edges_;
+  std::map<Group, Boundary> groups_;
+  std::map<Group, std::set<std::array<Index, 2>>> edges_;
   Index turned_ = 0, again_ = 0;
   std::int64_t first_turned_ = 0;
 };

@@ -5,7 +5,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <numeric>
 #include <utility>
 
 #include "core/error.h"
@@ -55,12 +54,10 @@ std::optional<HeldMotion> motion_along(const Support& support, Eigen::Index axis
 
 std::vector<HeldNode> held_nodes(const Mesh& mesh, const std::vector<Support>& supports) {
   std::vector<HeldNode> held(mesh.nodes.size());
-  std::vector<Index> all(mesh.nodes.size());
-  std::iota(all.begin(), all.end(), Index{0});
   double reach = 0;
   for (const Vec2& x : mesh.nodes) reach = std::max(reach, x.norm());
   for (Index k = 0; k < supports.size(); ++k)
-    for (const Index n : supports[k].boundary == "all" ? all : mesh.boundary(supports[k].boundary).nodes)
+    for (const Index n : mesh.nodes_on(supports[k].boundary))
       for (const std::size_t axis : {0, 1}) {
         const auto motion = motion_along(supports[k], row(axis), k);
         std::optional<HeldMotion>& known = held[n][axis];

@@ -44,7 +44,7 @@ void read_support(Settings& table, SoilSetup& soil) {
     if (g.size() == 4) s.gradient = (Mat2() << g[0], g[1], g[2], g[3]).finished();
   }
   if (!s.x && !s.y && !s.gradient) table.mistake("", "holds nothing: give x, y or gradient");
-  if (s.boundary != "all" && !accepted(table, "on", [&] { soil.mesh.boundary(s.boundary); })) return;
+  if (!accepted(table, "on", [&] { soil.mesh.nodes_on(s.boundary); })) return;
   soil.supports.push_back(std::move(s));
   if (!accepted(table, "", [&] { held_nodes(soil.mesh, soil.supports); })) soil.supports.pop_back();
 }
