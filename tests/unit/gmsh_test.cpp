@@ -243,5 +243,59 @@ TEST(Gmsh, PiecesAndSlitsAreTakenWhereTheyAreMeant) {
   EXPECT_EQ(read("element = \"triangle3\"\n", whole).model.soil.mesh.elements.size(), 2U);
 }
 
+// Returns the mistakes of an elastic scenario with these keys of [mesh] on this mesh; empty if it is taken.
+std::string mistakes_on(const Mesh& mesh, const std::string& keys = "") {
+  try {
+    read_scenario("[mesh]\n" + keys +
+                      "[soil]\nmaterial = \"elastic\"\ndensity = 2000\nyoung_modulus = 1e7\npoisson_ratio = 0.25\n"
+                      "[time]\nduration = 1\noutput_interval = 1\n",
+                  "x.toml", {}, mesh);
+  } catch (const DataError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST(Gmsh, NodesThatHangOnASideAreRefused) {
+  // The upper square has a node in the middle of the lower square's side; turned and far from the origin, too.
+  for (const double turn : {0.0, 0.4}) {
+    std::vector<Vec2> nodes = {{0, 0}, {1, 0}, {1, 1}, {0, 1}, {0.5, 1}, {1, 2}, {0, 2}};
+    for (Vec2& x : nodes)
+      x = 100 * Vec2(std::cos(turn) * x.x() - std::sin(turn) * x.y(), std::sin(turn) * x.x() + std::cos(turn) * x.y());
+    const Mesh gaping = read_gmsh(
+        file_2(nodes, {"2 2 3 1 1 2 3", "2 2 3 1 1 3 4", "2 2 3 1 4 5 7", "2 2 3 1 5 6 7", "2 2 3 1 5 3 6"}), "x.msh");
+    ASSERT_EQ(gaping.hanging().size(), 1U);
+    EXPECT_NE(
+        mistakes_on(gaping).find("mesh.coincident_nodes: node 5 lies on the side 3-4 of element 2, which does not "
+                                 "have it: the mesh would gape there; divide that side at the node"),
+        std::string::npos)
+        << mistakes_on(gaping);
+    EXPECT_EQ(mistakes_on(gaping, "coincident_nodes = \"keep\"\n"), "") << "the remedy";
+    const Mesh whole = read_gmsh(file_2(nodes, {"2 2 3 1 1 2 3", "2 2 3 1 1 3 5", "2 2 3 1 1 5 4", "2 2 3 1 4 5 7",
+                                                "2 2 3 1 5 6 7", "2 2 3 1 5 3 6"}),
+                                 "x.msh");
+    EXPECT_EQ(mistakes_on(whole), "") << "the other remedy";
+  }
+}
+
+TEST(Gmsh, NodesThatHangOnACurvedSideAreFound) {
+  Mesh mesh = rectangle(1, 1, 1, 1, Shape::quadrilateral8);
+  const Mesh small = rectangle(0.5, 0.5, 2, 1, Shape::quadrilateral8);
+  EXPECT_TRUE(small.hanging().empty());
+  EXPECT_TRUE(rectangle(3, 1e-3, 40, 3, Shape::triangle3).hanging().empty()) << "flat elements";
+  // Two small squares stand on the large one, whose top is bent.
+  const auto bent = [](const Vec2& x) { return Vec2(x.x(), x.y() + 0.4 * x.x() * (1 - x.x()) * x.y()); };
+  const Index before = mesh.nodes.size();
+  for (const Vec2& x : small.nodes) mesh.nodes.emplace_back(2 * x.x(), 1 + x.y());
+  for (auto e : small.elements) {
+    for (Index& n : e) n += before;
+    mesh.elements.push_back(e);
+  }
+  for (Vec2& x : mesh.nodes) x = bent(x);
+  const std::vector<Mesh::Hanging> found = mesh.hanging();
+  ASSERT_EQ(found.size(), 3U) << "a node at an end of the side does not hang";
+  for (const Mesh::Hanging& h : found) EXPECT_EQ(h.element, 0U);
+}
+
 }  // namespace
 }  // namespace soilweave::fem

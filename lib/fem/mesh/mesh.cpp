@@ -123,10 +123,14 @@ std::vector<Index> Mesh::line(const std::vector<std::string>& names) const {
   return line;
 }
 
-std::vector<std::array<Index, 2>> Mesh::coincident() const {
+double Mesh::coincidence() const {
   Vec2 low = nodes.front(), high = low;
   for (const Vec2& x : nodes) low = low.cwiseMin(x), high = high.cwiseMax(x);
-  const double near = 1e-8 * (high - low).norm();
+  return 1e-8 * (high - low).norm();
+}
+
+std::vector<std::array<Index, 2>> Mesh::coincident() const {
+  const double near = coincidence();
   std::vector<Index> order(nodes.size());
   std::iota(order.begin(), order.end(), Index{0});
   std::sort(order.begin(), order.end(), [&](Index a, Index b) { return nodes[a].x() < nodes[b].x(); });

@@ -39,6 +39,8 @@ struct Mesh {
   std::map<std::string, std::string, std::less<>> ambiguous;
   /// Numbers of nodes in their file; empty for a rectangle.
   std::vector<std::int64_t> node_tags;
+  /// Numbers of elements in their file; empty for a rectangle.
+  std::vector<std::int64_t> element_tags;
   /// Elements reversed or repeated, nodes left out.
   std::vector<Doubt> doubts;
 
@@ -59,8 +61,18 @@ struct Mesh {
   std::vector<Index> nodes_on(const std::string& name) const;
   /// Joins boundaries to one line of nodes. Throws DataError if they do not connect in this order.
   std::vector<Index> line(const std::vector<std::string>& names) const;
-  /// Returns pairs of nodes closer than 1e-8 of the mesh size.
+  /// Returns the distance within which nodes coincide, m: 1e-8 of the mesh size.
+  double coincidence() const;
+  /// Returns pairs of coincident nodes.
   std::vector<std::array<Index, 2>> coincident() const;
+  /// A node on a side of an element that does not have it.
+  struct Hanging {
+    Index node, element;
+    /// Ends of the side.
+    std::array<Index, 2> ends;
+  };
+  /// Returns the hanging nodes, ascending, each with one side. A node at an end of a side is coincident, not hanging.
+  std::vector<Hanging> hanging() const;
   /// A piece of the mesh that shares no node with others.
   struct Piece {
     /// Number of its elements.

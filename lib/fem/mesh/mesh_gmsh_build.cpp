@@ -86,6 +86,7 @@ class Builder {
       fail(item.line,
            fmt::format("element {} names a node twice: {}; mend the mesh", item.tag, fmt::join(item.nodes, " ")));
     mesh_.elements.push_back(nodes);
+    mesh_.element_tags.push_back(item.tag);
     from_.push_back(&item);
   }
 
