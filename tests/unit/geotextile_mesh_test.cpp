@@ -7,11 +7,15 @@
 #include <cmath>
 #include <map>
 #include <numbers>
+#include <string>
 #include <tuple>
+#include <vector>
 
+#include "core/error.h"
 #include "packing/container/chart.h"
 #include "packing/container/shapes/box.h"
 #include "packing/container/shapes/cushion.h"
+#include "packing/expand/lay_fabrics.h"
 #include "packing/expand/plan.h"
 #include "support/assemblies.h"
 #include "support/bags.h"
@@ -144,6 +148,58 @@ TEST(Geotextile, SheetsAddNodesOfTheirDensityAndYarnsWithoutTension) {
     EXPECT_NEAR(s.yarns.rest_length[k], 0.01, 1e-17);
     EXPECT_EQ(s.yarns.tension[k], 0);
   }
+}
+
+// Returns the mistakes of a plan, or the refusal of its assembly; empty if it is taken.
+std::string refusal_of(const std::string& fabrics, const std::vector<std::string>& overrides = {}) {
+  const std::string sand =
+      "[contact]\nlaw = \"hertz-mindlin\"\nyoung_modulus = \"4 GPa\"\npoisson_ratio = 0.33\nfriction_angle = 29\n"
+      "[[material]]\nyoung_modulus = \"8 GPa\"\npoisson_ratio = 0.33\nfriction_angle = 21\n";
+  try {
+    io::Snapshot state;
+    const Plan plan = read_plan(fabrics + sand, "plan", overrides);
+    if (!plan.container) assemble({}, plan);
+    if (plan.container) lay_fabrics(plan, {}, state);
+  } catch (const DataError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST(Geotextile, FabricsThatLieInOneAnotherAreRefusedByTheirKeys) {
+  const std::string bare = "[container]\nshape = \"none\"\n", sheet = "[[sheet]]\ncells = [4, 4, 1]\n";
+  EXPECT_EQ(
+      refusal_of(bare + sheet + sheet),
+      "sheet.1: a node at (-0.01, -0.01, 0) m lies in one of sheet.0 by 200 % of its radius, and a run begins with "
+      "50 % at most (guards.overlap); give sheet.0.height and sheet.1.height that are 0.005 m apart");
+  EXPECT_EQ(refusal_of(bare + sheet + sheet + "height = 0.005\n"), "") << "the remedy";
+  EXPECT_NE(refusal_of(bare + sheet + sheet + "height = 0.001\n").find("by 160 % of its radius"), std::string::npos);
+  EXPECT_EQ(refusal_of(bare + sheet + sheet + "height = 0.004\n"), "") << "as the guard has it";
+  EXPECT_EQ(refusal_of(bare + sheet + "spacing = 0.001\n"), "") << "nodes of one fabric";
+  const std::string box =
+      "[container]\nshape = \"box\"\nlow = [-0.03, -0.03, -0.03]\nhigh = [0.03, 0.03, 0.03]\n"
+      "[geotextile_mesh]\ncells = [12, 12, 12]\n";
+  EXPECT_NE(
+      refusal_of(box + sheet + "height = 0.0325\n").find("change sheet.0.height or sheet.0.cells so that its nodes"),
+      std::string::npos);
+  EXPECT_NE(refusal_of(box + "[[sheet]]\ncells = [20, 20, 1]\n").find("sheet.0: a node"), std::string::npos);
+  EXPECT_EQ(refusal_of(box + sheet), "") << "inside";
+}
+
+TEST(Geotextile, KeysOfASheetThatCannotBeMeantAreRefused) {
+  const std::string box = "[container]\nshape = \"box\"\nlow = [-0.03, -0.03, -0.03]\nhigh = [0.03, 0.03, 0.03]\n";
+  const std::string sheet = box + "[[sheet]]\ncells = [4, 4, 1]\n";
+  const auto says = [&](const std::string& set, const std::string& words) {
+    EXPECT_NE(refusal_of(sheet, {set}).find(words), std::string::npos) << set << ": " << refusal_of(sheet, {set});
+  };
+  says("sheet.0.cells=[4,4,9]", "sheet.0.cells: has 9 cells along z, and a sheet is flat: give 1 there");
+  says("sheet.0.height=5", "sheet.0.height: is 5 m where the container is 0.06 m across");
+  says("sheet.0.spacing=5", "sheet.0.spacing: is 5 m where the container is 0.06 m across");
+  says("sheet.0.node_radius=2.5", "sheet.0.node_radius: is 2.5 m where the container is 0.06 m across");
+  EXPECT_EQ(refusal_of(sheet, {"sheet.0.height=\"5 mm\""}), "") << "the remedy";
+  EXPECT_EQ(refusal_of(sheet, {"sheet.0.height=-0.05"}), "") << "below the soil";
+  EXPECT_NE(refusal_of(box + "[geotextile_mesh]\nspacing = 5\n").find("geotextile_mesh.spacing: is 5 m where"),
+            std::string::npos);
 }
 
 // Returns the shortest, mean and longest yarn of a fabric, m.

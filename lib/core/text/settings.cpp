@@ -116,6 +116,11 @@ bool Settings::has(std::string_view key) const {
   return asked_node(*document_, path_, table_, key) != nullptr;
 }
 
+bool Settings::sound(std::string_view key) const {
+  return std::ranges::none_of(document_->mistakes,
+                              [&](const Document::Mistake& m) { return m.key == joined(path_, key); });
+}
+
 void Settings::mistake(std::string_view key, std::string_view what) {
   if (document_->recorder || document_->is_unread(path_)) return;
   const toml::table& table = as_table(table_);

@@ -81,6 +81,8 @@ class Settings {
 
   /// Leaves the table unread: finish() judges none of its keys.
   void leave();
+  /// Returns whether no mistake about `key` was found so far. The value of another one is a mere stand-in.
+  bool sound(std::string_view key) const;
   /// Adds a mistake about `key` (or about the table if empty), with file and line.
   void mistake(std::string_view key, std::string_view what);
   /// Throws DataError with all mistakes, unknown keys included. Call it once, after the last key.

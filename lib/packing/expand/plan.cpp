@@ -14,6 +14,7 @@
 #include "dem/run/geotextile.h"
 #include "dem/run/scenario.h"
 #include "dem/state/bodies.h"
+#include "packing/expand/lay_fabrics.h"
 #include "packing/expand/tile.h"
 #include "packing/generate/spatial_order.h"
 
@@ -48,10 +49,37 @@ void demand_small_nodes(Settings& table, const NodeRecipe& nodes, const Containe
                                            nodes.radius, extent));
 }
 
+// Adds a mistake for a length of a fabric that is larger than the container, as one in another unit.
+void demand_fitting(Settings& table, const char* key, double value, double excess, const Container& container) {
+  const double extent = (container.high() - container.low()).maxCoeff();
+  if (table.sound(key) && extent > 0 && excess > extent)
+    table.mistake(key,
+                  fmt::format("is {:.4g} m where the container is {:.4g} m across: lengths are in m: give the one in "
+                              "mm its unit, as in \"5 mm\" (container.scale of a surface)",
+                              value, extent));
+}
+
+Plan::Sheet read_sheet(Settings& table, const Parameter& cells, const Parameter& spacing, const Container* container) {
+  static constexpr Parameter height{"height", "m", -1e3, 1e3, false, "height z of a sheet"};
+  Plan::Sheet sheet;
+  const std::array<int, 3> n = whole_triple(table, cells);
+  if (n[2] != 1) table.mistake("cells", fmt::format("has {} cells along z, and a sheet is flat: give 1 there", n[2]));
+  sheet.cells = {n[0], n[1]};
+  sheet.spacing = table.number(spacing, 0.005), sheet.height = table.number(height, 0.0);
+  sheet.nodes = NodeRecipe::read(table);
+  if (container) {
+    const double from_middle = 0.5 * (container->high().z() - container->low().z());
+    const double middle = 0.5 * (container->high().z() + container->low().z());
+    demand_fitting(table, "height", sheet.height, std::abs(sheet.height - middle) - from_middle, *container);
+    demand_fitting(table, "spacing", sheet.spacing, sheet.spacing, *container);
+    demand_fitting(table, "node_radius", sheet.nodes.radius, sheet.nodes.radius, *container);
+  }
+  return sheet;
+}
+
 void read_fabrics(Settings& document, Plan& plan) {
   static constexpr Parameter cells{"cells", "1", 1, 1e4, false, "cells of the mesh along x, y and, of a bag, z"};
   static constexpr Parameter spacing{"spacing", "m", 0, 1e3, true, "distance between neighbouring yarns"};
-  static constexpr Parameter height{"height", "m", -1e3, 1e3, false, "height z of a sheet"};
   if (document.has("geotextile_mesh")) {
     Settings table = document.table("geotextile_mesh");
     const Laid laid = read_laid(table);
@@ -64,19 +92,14 @@ void read_fabrics(Settings& document, Plan& plan) {
     if (by_cells && by_spacing) table.mistake("cells", "are given beside spacing: leave one of the two out");
     if (plan.container) {
       demand_small_nodes(table, plan.nodes, *plan.container);
+      demand_fitting(table, "spacing", apart, apart, *plan.container);
       plan.wrapping = apart > 0 ? cells_of(*plan.container, apart, plan.outside) : given;
     } else if (document.table("container").text("shape", "none") == "none") {
       table.mistake("", "has no container to wrap; use [[sheet]] for a flat one");
     }
   }
-  for (Settings table : document.tables("sheet")) {
-    Plan::Sheet sheet;
-    const std::array<int, 3> n = whole_triple(table, cells);
-    sheet.cells = {n[0], n[1]};
-    sheet.spacing = table.number(spacing, 0.005), sheet.height = table.number(height, 0.0);
-    sheet.nodes = NodeRecipe::read(table);
-    plan.sheets.push_back(sheet);
-  }
+  for (Settings table : document.tables("sheet"))
+    plan.sheets.push_back(read_sheet(table, cells, spacing, plan.container.get()));
 }
 
 void read_surround(Settings& document, const NamedFiles& files, Plan& plan) {
@@ -328,9 +351,7 @@ io::Snapshot assemble(const io::Snapshot& representative_volume, const Plan& pla
   }
   state.cell = {};
   state.cell.periodic = {false, false, false};
-  if (plan.wrapping)
-    add(wrap(*plan.container, *plan.wrapping, plan.outside, plan.even, plan.numerics.threads, laid), plan.nodes, state);
-  for (const Plan::Sheet& s : plan.sheets) add(sheet(s.cells, s.spacing, s.height), s.nodes, state);
+  lay_fabrics(plan, laid, state);
   if (state.grains.size() == 0) throw DataError("the plan has neither container nor geotextile: nothing to make");
   // The aperiodic cell only records the extent of the bodies.
   for (int a = 0; a < 3; ++a) {
