@@ -90,6 +90,27 @@ TEST(Scenario, RefusesSupportsThatContradictEachOtherByTheLineOfTheLater) {
   EXPECT_NO_THROW(scenario(footing + load + "[[support]]\non = \"right\"\nx = 0\n"));
 }
 
+TEST(Scenario, RefusesKeysThatWouldHaveNoEffectOrAddUp) {
+  refused(footing + load + "[[support]]\non = \"top\"\nx = 0\ngradient = [0.1, 0, 0, 0]\n",
+          "support.1.gradient: is given beside x or y");
+  EXPECT_NO_THROW(scenario(footing + load, {"time.step=1e-6"}));
+  io::test::expect_error<DataError>(
+      [] {
+        scenario(footing + load, {"time.step=1e-6", "time.safety=0.4"});
+      },
+      "time.safety: has no effect beside step");
+}
+
+TEST(Scenario, CountsNoOutputsOfATimeThatIsRefused) {
+  try {
+    scenario(footing + load, {"time.duration=0"});
+    ADD_FAILURE() << "taken";
+  } catch (const DataError& error) {
+    EXPECT_EQ(std::string(error.what()).find("outputs"), std::string::npos) << error.what();
+  }
+  io::test::expect_error<DataError>([] { scenario(footing + load, {"time.duration=1e8"}); }, "makes ");
+}
+
 const std::vector<std::string> sand = {"soil.material=\"mohr-coulomb\"", "soil.friction_angle=30"};
 
 std::vector<std::string> with(std::vector<std::string> overrides, const std::vector<std::string>& more) {

@@ -19,9 +19,10 @@
 namespace soilweave::fem {
 namespace {
 
-// Returns whether a check throws no DataError. Notes the error as a mistake about the key otherwise.
+// Returns whether the key is sound and a check throws no DataError. Notes the error as a mistake about the key.
 template <class Check>
 bool accepted(Settings& table, std::string_view key, const Check& check) {
+  if (!key.empty() && !table.sound(key)) return false;
   try {
     check();
     return true;
@@ -43,6 +44,8 @@ void read_support(Settings& table, SoilSetup& soil) {
     if (g.size() != 4) table.mistake("gradient", "has not four numbers: xx, xy, yx, yy");
     if (g.size() == 4) s.gradient = (Mat2() << g[0], g[1], g[2], g[3]).finished();
   }
+  if (s.gradient && (s.x || s.y))
+    table.mistake("gradient", "is given beside x or y, and moves the nodes along both: leave one of the two out");
   if (!s.x && !s.y && !s.gradient) table.mistake("", "holds nothing: give x, y or gradient");
   if (!accepted(table, "on", [&] { soil.mesh.nodes_on(s.boundary); })) return;
   soil.supports.push_back(std::move(s));

@@ -200,14 +200,17 @@ void read_time(Settings& document, Scenario& s) {
   s.duration = table.number(duration);
   s.model.interval = table.number(interval);
   constexpr double most = 1e6;
-  if (s.duration > most * s.model.interval)
+  if (table.sound("duration") && table.sound("output_interval") && s.duration > most * s.model.interval)
     table.mistake("output_interval",
                   fmt::format("makes {:.3g} outputs, and at most {:.0f} are recorded: give at least {:.3g} s",
                               s.duration / s.model.interval, most, s.duration / most));
   // A shorter run than its interval has one output, at its end.
   s.model.interval = std::min(s.model.interval, s.duration);
   s.model.safety = table.number(safety, s.model.safety);
-  if (table.has("step")) s.model.time_step = table.number(step);
+  if (!table.has("step")) return;
+  s.model.time_step = table.number(step);
+  if (table.has("safety"))
+    table.mistake("safety", "has no effect beside step, which is the time step itself: leave one of the two out");
 }
 
 std::optional<QuasiStatic> read_quasi_static(Settings& document) {
