@@ -332,6 +332,43 @@ writer.Write()
 PY
 }
 
+# vtp FILE POLYGONS OFFSETS [STRIPS OFFSETS]: writes an L-shaped prism to ell.vtp or turned.vtp, and else a cube.
+vtp() {
+  local points="-0.03 -0.03 -0.03 0.03 -0.03 -0.03 0.03 0 -0.03 0 0 -0.03 0 0.03 -0.03 -0.03 0.03 -0.03 \
+-0.03 -0.03 0.03 0.03 -0.03 0.03 0.03 0 0.03 0 0 0.03 0 0.03 0.03 -0.03 0.03 0.03"
+  [[ $1 == ell.vtp || $1 == turned.vtp ]] || points="-0.03 -0.03 -0.03 0.03 -0.03 -0.03 0.03 0.03 -0.03 -0.03 0.03 -0.03 \
+-0.03 -0.03 0.03 0.03 -0.03 0.03 0.03 0.03 0.03 -0.03 0.03 0.03"
+  local array='<DataArray type="Int64" Name="%s" format="ascii">%s</DataArray>'
+  # shellcheck disable=SC2059  # the format is above
+  {
+    printf '<?xml version="1.0"?>\n<VTKFile type="PolyData" version="0.1" byte_order="LittleEndian"><PolyData>\n'
+    printf '<Piece NumberOfPoints="%d" NumberOfVerts="0" NumberOfLines="0" NumberOfStrips="%d" NumberOfPolys="%d">\n' \
+      $(($(wc -w <<< "$points") / 3)) "$(wc -w <<< "${5:-}")" "$(wc -w <<< "$3")"
+    printf '<Points><DataArray type="Float64" NumberOfComponents="3" format="ascii">%s</DataArray></Points>\n<Polys>' "$points"
+    printf "$array" connectivity "$2" offsets "$3"
+    [[ ${4:-} == "" ]] || { printf '</Polys><Strips>' && printf "$array" connectivity "$4" offsets "$5"; }
+    [[ ${4:-} == "" ]] && printf '</Polys>' || printf '</Strips>'
+    printf '</Piece></PolyData></VTKFile>\n'
+  } > "$1"
+}
+
+@test "surfaces of concave polygons and of strips are read" {
+  [[ -z ${NO_VTK:-} ]] || skip "built without VTK"
+  printf '%s\n' '[container]' 'shape = "surface"' 'file = "solid.vtp"' > solid.toml
+  sed -n '/^\[contact\]/,/^\[growth\]/p' bag.toml | sed '/^\[growth\]/d' >> solid.toml
+  local sides="0 1 7 6 1 2 8 7 2 3 9 8 3 4 10 9 4 5 11 10 5 0 6 11"
+  # The hollow corner of the L is the third, or the first, of its polygon.
+  vtp ell.vtp "5 4 3 2 1 0 6 7 8 9 10 11 $sides" "6 12 16 20 24 28 32 36"
+  vtp turned.vtp "4 3 2 1 0 5 7 8 9 10 11 6 $sides" "6 12 16 20 24 28 32 36"
+  local file
+  for file in ell turned; do filter-expand --quiet packing.h5 solid.toml --set "container.file=\"$file.vtp\"" -o $file.h5; done
+  same_text <(to-vtk --text ell.h5) <(to-vtk --text turned.h5)
+  vtp cube.vtp "3 2 1 0 4 5 6 7 0 1 5 4 1 2 6 5 2 3 7 6 3 0 4 7" "4 8 12 16 20 24"
+  vtp strip.vtp "3 2 1 0 4 5 6 7 0 1 5 4 1 2 6 5 2 3 7 6" "4 8 12 16 20" "0 4 3 7" "4"
+  for file in cube strip; do filter-expand --quiet packing.h5 solid.toml --set "container.file=\"$file.vtp\"" -o $file.h5; done
+  same_text <(to-vtk --text cube.h5) <(to-vtk --text strip.h5)
+}
+
 @test "a geotextile is laid on any surface that is seen whole from its middle" {
   [[ -z ${NO_VTK:-} ]] || skip "built without VTK"
   sed '/^width/d; /^half_height/d; /^corner_radius/d; s/^shape.*/shape = "surface"\nfile = "egg.vtp"/; s/^cells.*/spacing = "4 mm"/' bag.toml > egg.toml
