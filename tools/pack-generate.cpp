@@ -131,7 +131,7 @@ struct PackGenerate {
     if (as_is) {
       const dem::Simulation checked(state, contacts.model, contacts.numerics);  // throws for too large overlaps
       Doubts doubts("pack-generate");
-      doubts.add_all(about);
+      for (const std::vector<Doubt>& some : {about, packing::doubts_as_is(state, contacts)}) doubts.add_all(some);
       return void(safe.write([&] { io::write_packing(output, state, io::with_doubts(history, doubts)); }));
     }
     packing::Recipe recipe;

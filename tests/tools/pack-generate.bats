@@ -103,6 +103,8 @@ m, r = (x["value"][-1] if hasattr(x, "keys") else x[()] for x in (m, r)); print(
   pack-generate --quiet --import packing.h5 --as-is --density 2650 -o option.h5
   pack-generate --quiet --import packing.h5 --as-is --material both.toml -o table.h5
   pack-generate --quiet --import packing.h5 --as-is --material m.toml -o kept.h5
+  call pack-generate --import packing.h5 --as-is --density 2.65 -o light.h5
+  [[ $status -eq 0 && $stderr == *"doubt: grains have 2.65 kg/m3, where sand has 2650"* ]] || show
   near "$(first_mass option.h5)" 11100.3 1e-4
   near "$(first_mass table.h5)" 11100.3 1e-4
   near "$(first_mass kept.h5)" "$(first_mass packing.h5)" 1e-12

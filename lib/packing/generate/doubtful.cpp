@@ -127,9 +127,13 @@ std::optional<Doubt> length_doubt(const io::Snapshot& state) {
                            void_ratio, loosest, state.cell.matrix(0, 0), mean_radius(state))};
 }
 
+std::vector<Doubt> doubts_as_is(const io::Snapshot& state, const Contacts& contacts) {
+  return analysis::material_doubts(state, contacts.model, contacts.numerics.gravity);
+}
+
 std::vector<Doubt> doubts_about(const io::Snapshot& state, const Contacts& contacts, const std::optional<Room>& room,
                                 double unbalanced) {
-  std::vector<Doubt> doubts = analysis::material_doubts(state, contacts.model, contacts.numerics.gravity);
+  std::vector<Doubt> doubts = doubts_as_is(state, contacts);
   if (auto doubt = radius_doubt(state)) doubts.push_back(*doubt);
   if (auto doubt = room ? grading_doubt(*room, state.grains.size()) : std::nullopt) doubts.push_back(*doubt);
   for (Doubt& doubt : analysis::tolerance_doubts("--tolerance", unbalanced)) doubts.push_back(std::move(doubt));

@@ -31,6 +31,9 @@ std::optional<Doubt> radius_doubt(const io::Snapshot& state);
 /// grains seem to have different units, or else radius_doubt().
 std::optional<Doubt> length_doubt(const io::Snapshot& state);
 
+/// Returns doubts about the materials of a packing that is written as it was imported.
+std::vector<Doubt> doubts_as_is(const io::Snapshot& state, const Contacts& contacts);
+
 /// Returns doubts about a packing at rest under an isotropic pressure: its materials, its sizes, its grading, rattlers,
 /// a coordination number below 3, the cell's width, q/p, overlap. room: curve and cell of a new packing. unbalanced:
 /// unbalanced force at which the packing counted as at rest, doubted above a tenth.
