@@ -67,8 +67,10 @@ struct ToVtk {
     table.flag(text, "text", "print a state, the last by default, as text: x y z r, a grain a line, and stop");
     const auto prints = [this] { return text || history; };
     table.refuse({"fields", "force-scale", "unwrapped", "compress"}, prints, "beside --text and --history");
-    const auto tells = [this] { return history; };
-    table.refuse({"state", "text"}, tells, "beside --history");
+    table.refuse(
+        {"state", "text"}, [this] { return history; }, "beside --history");
+    table.refuse(
+        {"state"}, [this] { return text && state == "all"; }, "as all beside --text, which prints one state");
   }
 
   void validate() const {
@@ -109,17 +111,11 @@ struct ToVtk {
     return std::move(file.snapshots[chosen(file.snapshots.size()).front()]);
   }
 
-  std::optional<io::Series> grain_fields() const {
-    if (fields.empty()) return std::nullopt;
-    for (auto& group : io::read_fields(fields).groups)
-      if (group.name == "grains") return group.table;
-    throw DataError(fields.string() + " has no group \"grains\" to join");
-  }
-
   void show_states(const tool::Invocation& invocation) const {
     const io::RunFile file = io::read_states(input);
     const auto indices = chosen(file.snapshots.size());
-    const auto table = grain_fields();
+    const std::optional<io::Series> table =
+        fields.empty() ? std::nullopt : std::optional(io::read_grain_fields(fields));
     std::vector<const io::Snapshot*> shown;
     std::size_t contacts = 0;
     for (const std::size_t index : indices) {

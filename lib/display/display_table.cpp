@@ -14,6 +14,7 @@
 #include "core/error.h"
 #include "display/display.h"
 #include "files/exchange/table.h"
+#include "files/files.h"
 
 namespace soilweave::io {
 namespace {
@@ -240,6 +241,12 @@ void demand_same_places(const Snapshot& state, const Series& table, const std::v
 }
 
 }  // namespace
+
+Series read_grain_fields(const std::filesystem::path& path) {
+  for (auto& group : read_fields(path).groups)
+    if (group.name == "grains") return group.table;
+  throw DataError(path.string() + " has no group \"grains\" to join");
+}
 
 void join_grains(VtkPicture& grains, const Snapshot& state, const Series& table) {
   const Column* ids = table.find("body_id");

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <filesystem>
 #include <optional>
 #include <string>
 #include <vector>
@@ -39,6 +40,8 @@ VtkPicture show_rows(const Series& table, const TableState& state);
 /// greatest, 2, 3), principal_stress (Pa). A NaN has no line.
 std::optional<VtkPicture> show_axes(const Series& table, const TableState& state);
 
+/// Returns the table of the group "grains" of a fields file. Throws DataError if it has none.
+Series read_grain_fields(const std::filesystem::path& path);
 /// Adds the table's columns to the picture's grains with the same body_id, at its step if the table has steps. A grain
 /// without a row gets NaN. Arrays of the same name are replaced. Throws DataError if the table lacks body_id, this step
 /// or every grain of `state`, if its radii are those of another packing, or its positions those of another run.

@@ -171,6 +171,7 @@ PY
   to-vtk --text "$IN/sheared.h5" -o default.txt
   to-vtk --text --state 0 "$IN/sheared.h5" -o first.txt
   same_bytes last.txt default.txt
+  mentions 64 to-vtk "--state has no effect as all beside --text, which prints one state: leave it out" --text --state all "$IN/sheared.h5"
   if cmp -s first.txt last.txt; then show "--state is not followed"; fi
 }
 
