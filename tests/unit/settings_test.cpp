@@ -124,6 +124,16 @@ TEST(Settings, WrongKindsOfValueAreMistakes) {
             "a:7: limit: entry 1: 7 is out of range: must be from 0 to 1");
 }
 
+TEST(Settings, AListWhereTextBelongsIsOfferedAsText) {
+  Settings s = Settings::parse("a = [\"top\"]\nb = [[2]]\nc = [\"x\", \"y\"]\nd = []\n", "t");
+  for (const char* key : {"a", "b", "c", "d"}) s.text(key);
+  const std::string text = mistakes_of(s);
+  for (const std::string words :
+       {"t:1: a: [ 'top' ] is not a text; write \"top\"\n", "is not a text; write \"2\"\n",
+        "t:3: c: [ 'x', 'y' ] is not a text; give one text in quotes\n", "is not a text; give one text in quotes"})
+    EXPECT_NE(text.find(words), std::string::npos) << text;
+}
+
 TEST(Settings, UnknownKeysAreFoundInsideTablesAndListsOfTables) {
   Settings s = Settings::parse("[a]\nsize = 1\nsise = 2\n[[stage]]\nsteps = 3\n[[stage]]\nstep = 4\n[b]\nx = 1\n", "t");
   s.table("a").number(size);

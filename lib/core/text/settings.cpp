@@ -32,6 +32,13 @@ std::string written(const toml::node& node) {
   return text.str();
 }
 
+/// Returns how to give what a node holds as one text: "write \"top\"" for the list ["top"].
+std::string text_remedy(const toml::node& node) {
+  if (const auto* array = node.as_array(); array && array->size() == 1) return text_remedy((*array)[0]);
+  if (const auto* text = node.as_string()) return fmt::format("write \"{}\"", text->get());
+  return node.is_value() ? fmt::format("write \"{}\"", written(node)) : "give one text in quotes";
+}
+
 /// Returns a value in the parameter's range, so that callers can go on until finish() reports the mistake.
 double harmless(const Parameter& parameter) {
   const bool low = std::isfinite(parameter.low), high = std::isfinite(parameter.high);
@@ -252,7 +259,7 @@ std::string Settings::text(const Word& word, std::optional<std::string> fallback
   } else if (const auto* text = node->as_string()) {
     return text->get();
   } else {
-    mistake(key, fmt::format("{} is not a text; write \"{}\"", written(*node), written(*node)));
+    mistake(key, fmt::format("{} is not a text; {}", written(*node), text_remedy(*node)));
   }
   return fallback.value_or("");
 }
