@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "analysis/measure/fabric_doubts.h"
 #include "analysis/tables/bag.h"
 #include "analysis/tables/doubts.h"
 #include "analysis/tables/tables.h"
@@ -129,6 +130,8 @@ struct Homogenize {
   bool wanted(std::string_view name) const { return !output.empty() || table == name; }
 
   void add(const io::Snapshot& first, const io::Snapshot& s, Tables& tables, std::vector<Doubt>& found) const {
+    if (wanted("cell") || wanted("volumes") || wanted("grains") || wanted("bag"))
+      std::ranges::copy(analysis::contact_doubts(s), std::back_inserter(found));
     if (wanted("cell")) analysis::put_cell(tables.cell.table, s, tessellation);
     if (wanted("bag") && analysis::is_reinforced(s)) analysis::put_bag(tables.bag.table, s);
     if (yarns || table == "yarns") analysis::put_yarns(tables.yarns.table, s);
@@ -153,11 +156,10 @@ struct Homogenize {
   static void print_list(const io::RunFile& file) {
     Tables tables;
     const bool has_series = file.series.rows() > 0, has_yarns = file.snapshots.back().yarns.size() > 0;
-    const bool has_bag = analysis::is_reinforced(file.snapshots.back());
     for (const Group* group : tables.all()) {
       if (group == &tables.series && !has_series) continue;
       if ((group == &tables.yarns || group == &tables.broken) && !has_yarns) continue;
-      if (group == &tables.bag && !has_bag) continue;
+      if (group == &tables.bag && !analysis::is_reinforced(file.snapshots.back())) continue;
       const std::string_view also = group == &tables.volumes ? " (with --box, --copies or --groups)" : "";
       fmt::print("{}\t{}{}\n", group->name, group->long_name, also);
     }

@@ -45,6 +45,15 @@ setup() {
   [[ $(($(value boxes.tsv grains 2) + $(value boxes.tsv grains 3))) -eq 120 ]] || show "$(cat boxes.tsv)"
 }
 
+@test "overlapping grains without contacts are doubted" {
+  to-vtk --text "$IN/sheared.h5" > spheres.txt
+  pack-generate --quiet --import spheres.txt --as-is -o imported.h5
+  call homogenize imported.h5 --tsv --columns mean_stress
+  [[ $status -eq 0 && $stderr == *"doubt: step 0: "*" pairs of grains overlap, and the stress and coordination number count none of them (0): "* ]] || show
+  call homogenize imported.h5 --tsv --table grains
+  [[ $status -eq 0 && $stderr == *"pairs of grains overlap"* ]] || show
+}
+
 @test "a volume of few grains is doubted, in the file too" {
   exits 0 homogenize --state 0 --box 0,0.1,0,0.1,0,0.1 -o all.h5 "$IN/sheared.h5"
   [[ -z $stderr ]] || show

@@ -219,6 +219,28 @@ TEST(Rose, ClassesWithoutContactsHaveNoForceAndAreTold) {
   EXPECT_TRUE(std::isnan(force_chains(s).mean_length) && std::isnan(coordination(s).backbone));
 }
 
+TEST(ContactDoubts, AreOfGrainsThatOverlapWithoutContacts) {
+  io::Snapshot s = ensemble({}, 3, 60);
+  EXPECT_TRUE(contact_doubts(s).empty());
+  s.contacts = {};
+  s.cell = {};
+  s.cell.matrix = 10 * Mat3::Identity(), s.cell.periodic = {false, false, false};
+  for (std::size_t i = 0; i < s.grains.size(); ++i)
+    s.grains.position[i] = Vec3(static_cast<double>(i), 0, 0), s.grains.radius[i] = 0.5;
+  EXPECT_TRUE(contact_doubts(s).empty()) << "grains that only touch";
+  EXPECT_NE(fabric_doubts(s).at(0).sentence.find("give a state under load"), std::string::npos);
+  s.grains.position[1].x() = 0.75;
+  ASSERT_EQ(contact_doubts(s).size(), 1U);
+  EXPECT_NE(
+      contact_doubts(s)[0].sentence.find("1 pairs of grains overlap, and the stress and coordination number count "
+                                         "none of them (0): the file keeps no contacts"),
+      std::string::npos)
+      << contact_doubts(s)[0].sentence;
+  EXPECT_NE(fabric_doubts(s).at(0).sentence.find("give a state of run-dem"), std::string::npos);
+  s.yarns.nodes = {{0, 1}}, s.yarns.fabric = {0};
+  EXPECT_TRUE(contact_doubts(s).empty()) << "nodes of one fabric";
+}
+
 TEST(ForceChains, FollowStrongContactsInLine) {
   // Each of two loaded columns of four grains, with weak contacts in between, is a chain.
   io::Snapshot s;

@@ -9,6 +9,9 @@
 
 namespace soilweave::analysis {
 
+/// Returns "no_contacts" if a state has no contact although grains overlap, as one that was imported: means over its
+/// contacts are 0 and not those of its grains.
+std::vector<Doubt> contact_doubts(const io::Snapshot& state);
 /// Returns "no_contacts" if a state has no contact, and with it no fabric.
 std::vector<Doubt> fabric_doubts(const io::Snapshot& state);
 /// Returns that doubt, or "empty_classes" if classes of the rose hold no contact, and with it no mean force. classes:
