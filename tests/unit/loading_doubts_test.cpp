@@ -9,7 +9,9 @@
 #include "analysis/doubts/idle_doubts.h"
 #include "analysis/doubts/material_doubts.h"
 #include "analysis/tables/doubts.h"
+#include "dem/run/prepare.h"
 #include "support/assembly.h"
+#include "support/strip.h"
 
 namespace soilweave {
 namespace {
@@ -205,6 +207,19 @@ TEST(DoubtsOfLoading, GrainsThatNoLongerTouch) {
   EXPECT_EQ(said({0, 4, 4, 3}), "") << "loose grains come together";
   EXPECT_NE(said({0, 4, 3, 0}).find("stage \"shear\": at 1 of 2 stations, first at number 2, no grains touch"),
             std::string::npos);
+}
+
+TEST(DoubtsOfLoading, ClampsFasterThanWavesInTheirYarns) {
+  const auto said = [](double speed) {
+    const dem::Scenario plan = support::pulled(support::pe_points, support::move(1e-3, 1, speed), 0.01);
+    return only(analysis::clamp_doubts(plan, dem::prepare(support::strip(4), plan)));
+  };
+  io::Snapshot strip = support::strip(4);
+  // The nodes of one spacing of 5 mm move along two strings of yarns of 8.4 N at 2 %.
+  const double wave = std::sqrt(8.4 / 0.02 * 0.005 / strip.grains.mass[0]);
+  EXPECT_EQ(said(0.09 * 0.02 * wave), "");
+  EXPECT_NE(said(0.3 * 0.02 * wave).find("strains yarns by 0.6 %, where their curve bends at 2 %"), std::string::npos)
+      << said(0.3 * 0.02 * wave);
 }
 
 TEST(DoubtsOfLoading, PlatesAreJudgedByTheirRateAndTheirForce) {

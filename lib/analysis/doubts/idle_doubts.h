@@ -20,7 +20,7 @@ std::vector<Doubt> idle_plate_doubts(const dem::Scenario& scenario, const io::Se
 std::vector<Doubt> no_contact_doubts(const dem::Scenario& scenario, const io::Series& series);
 
 /// Returns "clamp-speed" if a stage moves a clamp so fast that the wave which leaves it strains yarns by more than a
-/// fortieth of the strain at which their curve first bends. This strain is the speed over that of the wave, from the
+/// tenth of the strain at which their curve first bends. This strain is the speed over that of the wave, from the
 /// first slope of the curve and the mass of the nodes along a yarn. start: the packing as the run begins.
 std::vector<Doubt> clamp_doubts(const dem::Scenario& scenario, const io::Snapshot& start);
 
