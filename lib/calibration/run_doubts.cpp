@@ -71,9 +71,10 @@ void OtherSets::compare_rows(const io::Series& run, std::int64_t id, std::size_t
   for (const std::string& name : compared_)
     if (const io::Column* column = run.find(name)) numbers += fmt::format("{} ", fmt::join(column->values, " "));
   const auto [known, added] = first_.try_emplace(io::sha256(numbers), id, member);
-  const auto& [first_id, first] = known->second;
+  const std::size_t first = known->second.second;
   const auto differs = [&](const io::Column& set) { return set.values[member] != set.values[first]; };
-  if (!added && std::ranges::any_of(sets_.columns, differs)) equal_.push_back(fmt::format("{} as {}", id, first_id));
+  if (!added && std::ranges::any_of(sets_.columns, differs))
+    equal_.push_back(fmt::format("{} as {}", id, known->second.first));
 }
 
 void OtherSets::doubt(std::vector<Doubt>& doubts) const {

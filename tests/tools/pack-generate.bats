@@ -104,6 +104,7 @@ m, r = (x["value"][-1] if hasattr(x, "keys") else x[()] for x in (m, r)); print(
   pack-generate --quiet --import packing.h5 --as-is --material both.toml -o table.h5
   pack-generate --quiet --import packing.h5 --as-is --material m.toml -o kept.h5
   call pack-generate --import packing.h5 --as-is --density 2.65 -o light.h5
+  # shellcheck disable=SC2154  # stderr is set by call
   [[ $status -eq 0 && $stderr == *"doubt: grains have 2.65 kg/m3, where sand has 2650"* ]] || show
   near "$(first_mass option.h5)" 11100.3 1e-4
   near "$(first_mass table.h5)" 11100.3 1e-4

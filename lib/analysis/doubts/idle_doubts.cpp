@@ -8,6 +8,7 @@
 #include <cmath>
 #include <optional>
 #include <string>
+#include <string_view>
 
 #include "core/text/text.h"
 
@@ -27,7 +28,7 @@ std::vector<std::size_t> rows_of(const io::Series& series, std::size_t stage) {
 
 // Returns whether a plane bears no force in a row.
 bool is_idle(const io::Series& series, const std::string& plane, std::size_t row) {
-  return std::all_of("xyz", "xyz" + 3, [&](char axis) {
+  return std::ranges::all_of(std::string_view("xyz"), [&](char axis) {
     const io::Column* force = series.find(fmt::format("force_{}_{}", plane, axis));
     return force && force->values[row] == 0;
   });

@@ -5,7 +5,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cctype>
 #include <charconv>
 #include <cmath>
 #include <optional>
@@ -159,11 +158,8 @@ const Column& Series::at(std::string_view name) const {
 
 std::vector<std::string> columns_like(const Series& table, std::string_view name) {
   std::vector<std::string> found;
-  for (const Column& column : table.columns) {
-    std::string low = column.name;
-    std::ranges::transform(low, low.begin(), [](unsigned char c) { return std::tolower(c); });
-    if (column.name != name && low.find(name) != std::string::npos) found.push_back(column.name);
-  }
+  for (const Column& column : table.columns)
+    if (column.name != name && lower_case(column.name).find(name) != std::string::npos) found.push_back(column.name);
   return found;
 }
 
