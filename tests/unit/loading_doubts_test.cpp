@@ -179,24 +179,29 @@ dem::Scenario pressed(const std::string& stages) {
 
 TEST(DoubtsOfLoading, PlatesThatMoveOnAndPressNothing) {
   const dem::Scenario up_and_down =
-      pressed("[[stage]]\npath = \"uniaxial\"\nheight = 1\nstations = [0.01, 0.02, 0.01]\nrate = 0.1\n");
-  const auto said = [&](const std::vector<double>& top, const std::vector<double>& bottom) {
-    const std::vector<double> zero(top.size(), 0.0), stages(top.size(), 0.0);
-    return only(analysis::idle_plate_doubts(up_and_down, rows({{"stage", stages},
-                                                               {"force_top_x", zero},
-                                                               {"force_top_y", zero},
-                                                               {"force_top_z", top},
-                                                               {"force_bottom_x", zero},
-                                                               {"force_bottom_y", zero},
-                                                               {"force_bottom_z", bottom}})));
+      pressed("[[stage]]\npath = \"uniaxial\"\nheight = 1\nstations = [0.01, 0.02, 0.01, 0.02, 0.04]\nrate = 0.1\n");
+  const std::vector<double> strain = {0, 0.01, 0.02, 0.01, 0.02, 0.04};
+  const auto said = [&](const std::vector<double>& force) {
+    const std::size_t n = force.size();
+    io::Series series = rows({{"stage", std::vector<double>(n, 0.0)}});
+    for (const auto& [plane, sign] : {std::pair("top", -1.0), std::pair("bottom", 1.0)})
+      for (const char* axis : {"x", "y", "z"}) {
+        std::vector<double> moved(n, 0.0), presses(n, 0.0);
+        for (std::size_t k = 0; k < n && *axis == 'z'; ++k)
+          moved[k] = sign * strain[k] / 2, presses[k] = -sign * force[k];
+        series.columns.push_back({std::string("displacement_") + plane + "_" + axis, "m", "", moved});
+        series.columns.push_back({std::string("force_") + plane + "_" + axis, "N", "", presses});
+      }
+    return only(analysis::idle_plate_doubts(up_and_down, series));
   };
-  EXPECT_EQ(said({0, 1, 2, 1}, {0, -1, -2, -1}), "");
-  EXPECT_EQ(said({0, 1, 2, 0}, {0, -1, -2, 0}), "") << "the plates move apart";
-  EXPECT_EQ(said({0, 0, 2, 1}, {0, 0, -2, -1}), "") << "the plates come from afar";
-  EXPECT_NE(said({0, 1, 0, 0}, {0, -1, -2, 0}).find("pushes the plane \"top\" 0.01 m towards the grains by station 2"),
+  EXPECT_EQ(said({0, 1, 2, 1, 2, 4}), "");
+  EXPECT_EQ(said({0, 1, 2, 0, 0, 4}), "") << "the plates move apart, and come back to grains that have settled";
+  EXPECT_EQ(said({0, 0, 2, 1, 2, 4}), "") << "the plates come from afar";
+  EXPECT_NE(said({0, 1, 0}).find("has pushed the plane \"top\" 0.01 m towards the grains at station 2"),
             std::string::npos);
-  EXPECT_NE(said({5, 0, 0, 0}, {-5, -1, -1, 0}).find("(2 of 3 stations): a lower rate"), std::string::npos);
-  EXPECT_NE(said({0, 0, 0}, {0, 0, 0}).find("(nor did anything before): begin with the plane"), std::string::npos);
+  EXPECT_NE(said({5, 0, 0, 0, 0, 1}).find("(2 of 5 stations): a lower rate"), std::string::npos);
+  EXPECT_NE(said({5, 0, 0, 0, 0, 0}).find("(3 of 5 stations)"), std::string::npos) << said({5, 0, 0, 0, 0, 0});
+  EXPECT_NE(said({0, 0, 0}).find("(nor did anything before): begin with the plane"), std::string::npos);
 }
 
 TEST(DoubtsOfLoading, GrainsThatNoLongerTouch) {

@@ -34,39 +34,45 @@ bool is_idle(const io::Series& series, const std::string& plane, std::size_t row
   });
 }
 
-// Returns how far a stage pushes a plane towards the grains until a station, m; 0 for clamps and other parts.
-double pushed(const dem::Scenario& scenario, const dem::Stage& stage, std::size_t station, const dem::RigPart& part) {
+// Returns how far a plane has moved towards the grains in a row, m.
+double pushed(const io::Series& series, const dem::RigPart& part, const Vec3& normal, std::size_t row) {
   double way = 0;
-  for (const dem::DriveGoal& goal : stage.path->drives(station))
-    if (goal.part == part.name && goal.kind == dem::DriveGoal::Kind::displacement)
-      way += goal.value * goal.direction.dot(scenario.planes.normal[part.number]);
+  for (int a = 0; a < 3; ++a)
+    if (const io::Column* moved = series.find(fmt::format("displacement_{}_{}", part.name, "xyz"[a])))
+      way += moved->values[row] * normal[a];
   return way;
+}
+
+bool displaces(const dem::Stage& stage, const dem::RigPart& part) {
+  return std::ranges::any_of(stage.path->drives(0), [&](const dem::DriveGoal& goal) {
+    return goal.part == part.name && goal.kind == dem::DriveGoal::Kind::displacement;
+  });
 }
 
 std::optional<Doubt> idle_plate(const dem::Scenario& scenario, const io::Series& series, std::size_t s,
                                 const dem::RigPart& part) {
-  const dem::Stage& stage = scenario.stages[s];
   const std::vector<std::size_t> rows = rows_of(series, s);
-  if (rows.empty()) return std::nullopt;
+  if (rows.empty() || !displaces(scenario.stages[s], part)) return std::nullopt;
+  const Vec3 normal = scenario.planes.normal[part.number].normalized();
   bool bore = false;
-  for (std::size_t row = 0; row < rows.front(); ++row) bore = bore || !is_idle(series, part.name, row);
+  // A plate that returns to where it was may miss grains that have settled.
+  double farthest = 0, at_first = 0;
   std::size_t idle = 0, first = 0;
-  double before = 0;
-  for (std::size_t k = 0; k < std::min(rows.size(), stage.path->stations()); ++k) {
-    const double way = pushed(scenario, stage, k, part);
-    const bool closes_in = way > before, is_last = k + 1 == rows.size();
-    before = way;
-    if (!is_idle(series, part.name, rows[k]))
+  for (std::size_t row = 0; row <= rows.back(); ++row) {
+    const double way = pushed(series, part, normal, row);
+    const bool is_new = row >= rows.front() && way > farthest;
+    farthest = std::max(farthest, way);
+    if (!is_idle(series, part.name, row))
       bore = true;
-    else if (closes_in && (bore || is_last) && idle++ == 0)
-      first = k;
+    else if (is_new && (bore || row == rows.back()) && idle++ == 0)
+      first = row, at_first = way;
   }
   if (idle == 0) return std::nullopt;
   return Doubt{
       "idle-plate",
-      fmt::format("stage \"{}\" pushes the plane \"{}\" {:.3g} m towards the grains by station {}, and nothing "
+      fmt::format("stage \"{}\" has pushed the plane \"{}\" {:.3g} m towards the grains at station {}, and nothing "
                   "presses against it ({}): {}",
-                  stage.name, part.name, pushed(scenario, stage, first, part), first + 1,
+                  scenario.stages[s].name, part.name, at_first, first - rows.front() + 1,
                   bore ? fmt::format("{} of {} stations", idle, rows.size()) : "nor did anything before",
                   bore ? follows : "begin with the plane at the grains (point = \"touch\"), or push it further")};
 }

@@ -10,9 +10,9 @@
 
 namespace soilweave::analysis {
 
-/// Returns "idle-plate" if a stage moves a plane towards the grains, and nothing presses against it at a recorded
-/// station that is below one with a force, or at the last station. A state without any force is at rest, so a run does
-/// not stop there. series: rows of the run.
+/// Returns "idle-plate" if a stage displaces a plane towards the grains, farther than it was before, and nothing
+/// presses against it at a station that is below one with a force, or at the last station. A state without any force is
+/// at rest, so a run does not stop there. series: rows of the run.
 std::vector<Doubt> idle_plate_doubts(const dem::Scenario& scenario, const io::Series& series);
 
 /// Returns "no-contact" if a stage strains the cell or moves parts, and at a station no bodies touch that touched
