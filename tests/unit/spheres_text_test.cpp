@@ -148,7 +148,8 @@ TEST_F(Spheres, CommentsAboveTheGrainsAreObeyedOrRefused) {
 TEST_F(Spheres, CommentsGiveUnitsThatAreKnownOrAreRefused) {
   const std::string row = "\n1000 2000 3000 250\n4000 5000 6000 500\n", metres = "\n1 2 3 0.25\n4 5 6 0.5\n";
   for (const char* said : {"# [mm]", "# mm", "# unit=mm", "# x/mm y/mm z/mm r/mm"}) reads(said + row);
-  for (const char* said : {"# units: SI", "# all lengths in metres", "# d50 = 375 mm", "# sieves of 250 to 500 mm"})
+  for (const char* said : {"# units: SI", "# all lengths in metres", "# d50 = 375 mm", "# sieves of 250 to 500 mm",
+                           "# packing of a unit test"})
     reads(said + metres);
   refuses("# units: millimeter" + row,
           "line 1: the comment gives a unit of length: 'millimeter' is not a known unit; did you mean 'mm'?");

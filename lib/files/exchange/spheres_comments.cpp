@@ -147,6 +147,9 @@ SpheresComments::Comment SpheresComments::read(std::size_t line, std::string_vie
   comment.unknown_unit = why_unknown(comment.unit);
   comment.unit_is_vague = std::any_of(
       all.begin(), all.end(), [&](const std::string& word) { return word != unit && !is_among(unit_words, word); });
+  // Prose such as "packing of a unit test" states no unit.
+  if (comment.unit_is_vague && !is_like_length(unit) && !has_one_of(Names(unit_words).subspan(2, 1), all))
+    comment.unit.clear();
   return comment;
 }
 
