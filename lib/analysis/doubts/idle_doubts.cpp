@@ -74,7 +74,7 @@ std::optional<Doubt> idle_plate(const dem::Scenario& scenario, const io::Series&
                   "presses against it ({}): {}",
                   scenario.stages[s].name, part.name, at_first, first - rows.front() + 1,
                   bore ? fmt::format("{} of {} stations", idle, rows.size()) : "nor did anything before",
-                  bore ? follows : "begin with the plane at the grains (point = \"touch\"), or push it further")};
+                  bore ? follows : "bring it to the grains by a load first ([[stage.load]]), or push it further")};
 }
 
 // Greatest strain of the wave that leaves a clamp, over the strain at which the yarns' curve first bends. Clamps of
@@ -117,7 +117,7 @@ std::vector<Doubt> clamp_doubts(const dem::Scenario& scenario, const io::Snapsho
       return {{"clamp-speed",
                fmt::format(
                    "stage \"{}\" moves a clamp at {:.3g} m/s, and the wave that leaves it strains yarns by {:.2g} %, "
-                   "where their curve bends at {:.2g} %: forces depend on the speed; {:.1g} m/s is slow enough",
+                   "where their curve bends at {:.2g} %: forces depend on the speed; {:.2g} m/s is slow enough",
                    stage.name, speed, 100 * speed / wave, 100 * curve.strain.front(), rounded_down(slow))}};
     }
   }

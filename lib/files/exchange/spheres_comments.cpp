@@ -26,6 +26,8 @@ constexpr std::array<std::string_view, 21> unit_words{
     "in",    "unit",   "units",    "all",       "length",      "lengths",   "dimensions",
     "of",    "are",    "is",       "the",       "coordinates", "positions", "and",
     "radii", "radius", "diameter", "diameters", "sizes",       "values",    "position"};
+// Words before a unit. In prose the second one may mean something else.
+constexpr std::array<std::string_view, 2> unit_leads{"units", "unit"};
 // Units of length that are never converted.
 constexpr std::array<std::string_view, 6> foreign_lengths{"inch", "inches", "foot", "feet", "ft", "mil"};
 constexpr std::array<std::string_view, 9> position_words{"position", "positions", "coordinate", "coordinates", "centre",
@@ -82,7 +84,7 @@ std::string unit_in(const Words& words) {
     if ((k == 0 || !number_of(words[k - 1])) && is_like_length(words[k])) return words[k];
   // "units: cgs" states a unit that is none of length.
   for (std::size_t k = 0; k < words.size(); ++k) {
-    if (!is_among(Names(unit_words).subspan(1, 2), words[k])) continue;
+    if (!is_among(unit_leads, words[k])) continue;
     while (++k < words.size() && is_among(unit_words, words[k]))
       ;
     return k == words.size() ? "" : words[k];
@@ -148,7 +150,7 @@ SpheresComments::Comment SpheresComments::read(std::size_t line, std::string_vie
   comment.unit_is_vague = std::any_of(
       all.begin(), all.end(), [&](const std::string& word) { return word != unit && !is_among(unit_words, word); });
   // Prose such as "packing of a unit test" states no unit.
-  if (comment.unit_is_vague && !is_like_length(unit) && !has_one_of(Names(unit_words).subspan(2, 1), all))
+  if (comment.unit_is_vague && !is_like_length(unit) && !has_one_of(Names(unit_leads).first(1), all))
     comment.unit.clear();
   return comment;
 }
