@@ -173,7 +173,7 @@ struct Homogenize {
         if (group->table.rows() == 0) explain_absence(table);
         const io::Series chosen = analysis::chosen_columns(group->table, columns);
         const bool of_cell = table == "cell" || table == "series";
-        if (of_cell && analysis::lacks_values(chosen)) doubts.add_all(analysis::open_cell_doubts(last));
+        if (of_cell && analysis::lacks_values(chosen)) doubts.add_all(analysis::open_cell_doubts(last, table));
         std::fputs(io::to_tsv(chosen).c_str(), stdout);
       }
   }

@@ -88,12 +88,15 @@ $(C3O)/sheet.h5: $(C3O)/rv.h5 $(C3)/sheet.toml $(BIN)/filter-expand
 $(C3O)/box_%.h5: $(C3O)/sheet.h5 $(C3)/box.toml $(BIN)/run-dem $(GEOTEXTILES)
 	@$(BIN)/run-dem $< $(C3)/box.toml --set material.0.friction_angle=$* --threads 1 --quiet --resume --force -o $@
 
-# Tables of the runs: "loading" for bags, "series" for strips and boxes.
-C3_STRIPS_AND_BOXES := $(foreach run,strip_PE strip_PP box_21 box_25,$(C3O)/$(run).tsv)
+# Tables of the runs: "loading" for bags, what clamps and walls bear for strips and boxes, whose cells have no stress.
+C3_STRIPS := $(foreach run,strip_PE strip_PP,$(C3O)/$(run).tsv)
+C3_BOXES := $(foreach run,box_21 box_25,$(C3O)/$(run).tsv)
+$(C3_STRIPS): private COLUMNS := stage,displacement_right_y,force_right_y,yarn_tension_face
+$(C3_BOXES): private COLUMNS := stage,displacement_left_x,force_left_x,force_right_x,force_lid_z
 $(C3O)/%.tsv: $(C3O)/%.h5 $(BIN)/homogenize
 	@$(BIN)/homogenize $< --table loading --tsv $(call whole,$@)
-$(C3_STRIPS_AND_BOXES): %.tsv: %.h5 $(BIN)/homogenize
-	@$(BIN)/homogenize $< --table series --tsv $(call whole,$@)
+$(C3_STRIPS) $(C3_BOXES): %.tsv: %.h5 $(BIN)/homogenize
+	@$(BIN)/homogenize $< --table series --columns $(COLUMNS) --tsv $(call whole,$@)
 $(C3O)/%_fabric.tsv: $(C3O)/%.h5 $(BIN)/fabric
 	@$(BIN)/fabric $< --tsv $(call whole,$@)
 $(C3O)/%_groups.tsv: $(C3O)/%.h5 $(BIN)/homogenize
@@ -135,7 +138,7 @@ C3_OF_RUNS := $(foreach run,$(C3_UC) $(C3_SS),$(run) $(run)_fabric $(run)_groups
 C3_OF_BAG := $(C3O)/generation.tsv $(C3_ROSES)
 C3_PY := $(wildcard $(C3)/*.py $(C3)/*.tsv) $(C3)/words.toml $(C3)/bag.toml $(C3)/strip_plan.toml \
   $(wildcard data/geotextiles/P?.toml data/discrete_element/soilbag_uniaxial_P?.tsv)
-$(C3O)/page.html: $(C3)/study.py $(C3_PY) $(STUDY) $(C3_OF_RUNS:%=$(C3O)/%.tsv) $(C3_OF_BAG) $(C3_STRIPS_AND_BOXES) $(C3_PICTURES) \
+$(C3O)/page.html: $(C3)/study.py $(C3_PY) $(STUDY) $(C3_OF_RUNS:%=$(C3O)/%.tsv) $(C3_OF_BAG) $(C3_STRIPS) $(C3_BOXES) $(C3_PICTURES) \
   $(C3O)/provenance.txt $(wildcard $(C3)/kept/*.tsv) $(OUT)/profile
 	@$(STUDY_PY) $< $(C3O) --profile $(PROFILE) --loads $(C3_LOADS)
 

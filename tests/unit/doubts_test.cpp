@@ -108,10 +108,13 @@ TEST(DoubtsOfPackings, CellThatIsNarrowForItsLargestGrain) {
 
 TEST(DoubtsOfPackings, OpenCellsHaveARemedyThatSuitsThem) {
   io::Snapshot state = simple_cubic(3, Vec3(1, 1, 1));
-  const auto said = [&] { return sentence_of(analysis::open_cell_doubts(state), "open-cell"); };
+  const auto said = [&](std::string_view table = "cell") {
+    return sentence_of(analysis::open_cell_doubts(state, table), "open-cell");
+  };
   EXPECT_EQ(said(), "");
   state.cell.periodic = {true, true, false};
   EXPECT_NE(said().find("take displacement and force of named planes from --table series"), std::string::npos);
+  EXPECT_NE(said("series").find("take displacement and force of named planes alone (--columns)"), std::string::npos);
   state.cell.periodic = {false, false, false};
   EXPECT_NE(said().find("--table volumes with a --box among the grains; or displacement"), std::string::npos);
 }

@@ -259,7 +259,7 @@ std::vector<Doubt> cell_doubts(const io::Snapshot& state) {
   return {};
 }
 
-std::vector<Doubt> open_cell_doubts(const io::Snapshot& state) {
+std::vector<Doubt> open_cell_doubts(const io::Snapshot& state, std::string_view table) {
   if (is_periodic(state)) return {};
   std::vector<std::string> instead;
   if (is_reinforced(state)) instead.emplace_back("--table bag, or loading for a bag between plates");
@@ -267,7 +267,8 @@ std::vector<Doubt> open_cell_doubts(const io::Snapshot& state) {
   // Power cells of an open assembly exist in 3D only.
   if (state.grains.dimension == 3 && std::none_of(periodic.begin(), periodic.end(), [](bool axis) { return axis; }))
     instead.emplace_back("--table volumes with a --box among the grains");
-  instead.emplace_back("displacement and force of named planes from --table series");
+  const std::string planes = "displacement and force of named planes ";
+  instead.push_back(planes + (table == "series" ? "alone (--columns)" : "from --table series"));
   return {{"open-cell",
            fmt::format("the cell is not periodic along all axes, so that it does not follow its grains: it has no "
                        "stress, strain or void ratio (nan); take {}",

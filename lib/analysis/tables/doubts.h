@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <string_view>
 #include <vector>
 
 #include "analysis/measure/volume_of_interest.h"
@@ -25,8 +26,9 @@ std::vector<Doubt> bag_doubts(const io::Snapshot& state);
 /// without yarns.
 std::vector<Doubt> mesh_doubts(const io::Snapshot& state);
 
-/// Returns "open-cell" unless the cell is periodic along every axis (tessellation.h).
-std::vector<Doubt> open_cell_doubts(const io::Snapshot& state);
+/// Returns "open-cell" unless the cell is periodic along every axis (tessellation.h). The remedy depends on the table
+/// that lacks values, "cell" or "series".
+std::vector<Doubt> open_cell_doubts(const io::Snapshot& state, std::string_view table);
 
 /// Returns "few-grains" if a volume of interest holds fewer than 64 grains, four along each side (2D: 16).
 std::vector<Doubt> volume_doubts(const io::Snapshot& state, const std::vector<Volume>& volumes);
