@@ -70,5 +70,29 @@ TEST(StabilityLimit, KeepsAMargin) {
     }
 }
 
+// Dashpots that leave hardly any rebound: at 0.9 of the limit the servo brings a packing to rest under a greater
+// stress. At the limit of the same contacts without dashpots, a guard stops the run.
+TEST(StabilityLimit, CountsDashpots) {
+  for (const double restitution : {0.1, 0.02}) {
+    Model model = support::sand();
+    const io::Snapshot start = support::packed(model, 1e5, 100);
+    const double undamped = Simulation(start, model, {}).stability_limit();
+    for (auto& m : model.materials.of<HertzMindlin::Material>()) m.restitution = restitution;
+    Numerics stable, unstable;
+    stable.time_step_safety = 0.9;
+    unstable.time_step = undamped;
+    Simulation good(start, model, stable), bad(start, model, unstable);
+    const AxisGoal goal{AxisGoal::Kind::stress, 1.2e5, 1};
+    Servo servo;
+    int steps = 0;
+    for (; steps < 50000 && !Servo::settled({goal, goal, goal}, 3, Tolerances(), good); ++steps) {
+      servo.drive({goal, goal, goal}, 3, good);
+      good.step();
+    }
+    EXPECT_LT(steps, 50000) << restitution << ": " << good.measures().stress(0, 0) << " Pa";
+    EXPECT_THROW(compress(bad, 3, 1e5, 600), PhysicsError);
+  }
+}
+
 }  // namespace
 }  // namespace soilweave::dem

@@ -8,7 +8,10 @@
 
 #include "analysis/doubts/material_doubts.h"
 #include "core/error.h"
+#include "dem/contact/laws/damping.h"
 #include "dem/contact/laws/hertz_mindlin.h"
+#include "dem/contact/laws/linear.h"
+#include "dem/engine/simulation.h"
 #include "dem/state/bodies.h"
 #include "dem/sweep/step_bound.h"
 #include "packing/generate/ahead.h"
@@ -83,6 +86,22 @@ TEST(StepBound, CountsMomentsOfContactsStillToCome) {
   Recipe recipe;
   recipe.pressure = 1e5, recipe.tolerances.unbalanced_force = 1e-2;
   EXPECT_NO_THROW(compact(state, sand_with_moments(3), {}, recipe));
+}
+
+// A dashpot's damping ratio follows from its restitution in closed form (damping.h), for Hertz times the root of 5/6.
+TEST(StepBound, DashpotsLeaveAShareOfIt) {
+  const io::Snapshot state = sparse(60);
+  const auto step = [&](const dem::Model& model) { return dem::Simulation(state, model, {}).time_step(); };
+  for (const double restitution : {0.9, 0.3, 0.02}) {
+    const double beta = dem::damping_ratio(restitution, false);
+    dem::Model linear = support::linear_sand(), hertz = support::sand();
+    const double linear_step = step(linear), hertz_step = step(hertz);
+    for (auto& m : linear.materials.of<dem::Linear::Material>()) m.restitution = restitution;
+    for (auto& m : hertz.materials.of<dem::HertzMindlin::Material>()) m.restitution = restitution;
+    const auto share = [](double xi) { return std::sqrt(1 + xi * xi) - xi; };
+    EXPECT_NEAR(step(linear) / linear_step, share(std::sqrt(2.0) * beta), 1e-9) << restitution;
+    EXPECT_NEAR(step(hertz) / hertz_step, share(std::sqrt(5.0 / 3.0) * beta), 1e-9) << restitution;
+  }
 }
 
 TEST(Ahead, ExpectsTheOverlapThatAPackingHas) {

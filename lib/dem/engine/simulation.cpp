@@ -55,6 +55,7 @@ struct Simulation::Impl {
         steps(state.step) {
     bodies.set_fabric(yarns.fabric_of());
     smallest = Smallest(bodies);  // nodes do not rotate
+    dashpots = bound_to_come(*sweep, bodies, smallest).dashpots;
     contacts.threads = numerics.threads;
     contacts.keep_own(sweep->own_history());
     list_recorded(state.contacts, bodies, contacts);
@@ -217,7 +218,7 @@ struct Simulation::Impl {
     const double nodes = std::sqrt(2.0 / yarns.stiffness_over_mass(bodies, contacts));  // infinite without yarns
     const double others = std::min({to_come.translation, nodes, motion.stable_time_step(contacts, bodies)});
     rotation_bounds = to_come.rotation < others;
-    return std::min(others, to_come.rotation);
+    return dashpots * std::min(others, to_come.rotation);
   }
 
   // Returns whether the largest overlap is more than `times` its value at the last estimate of the step.
@@ -269,6 +270,7 @@ struct Simulation::Impl {
   Measures measures;
   Energies energies;
   Smallest smallest;
+  double dashpots = 1;  // share of the stable step that they leave
   double stable = 0, time_step = 0, time = 0;
   double estimated_at = 0;                // largest overlap at the last estimate of the step, m
   std::int64_t contacts_at_estimate = 0;  // number of contacts at the last estimate
@@ -295,6 +297,7 @@ const StepTimes& Simulation::step_times() const { return impl_->times; }
 const Measures& Simulation::measures() const { return impl_->measures; }
 Energies Simulation::energies() const { return impl_->energies_now(); }
 double Simulation::time_step() const { return impl_->time_step; }
+double Simulation::dashpot_share() const { return impl_->dashpots; }
 double Simulation::unbalanced_force(double least) const { return impl_->unbalanced_force(least); }
 double Simulation::largest_overlap() const { return impl_->deepest().relative; }
 double Simulation::stability_limit() {
@@ -310,6 +313,7 @@ void Simulation::set_reference() { impl_->cell.set_reference(); }
 void Simulation::set_velocity_gradient(const Mat3& gradient) { impl_->cell.set_velocity_gradient(gradient); }
 void Simulation::set_model(const Model& model) {
   impl_->sweep = make_contact_sweep(model);
+  impl_->dashpots = bound_to_come(*impl_->sweep, impl_->bodies, impl_->smallest).dashpots;
   impl_->yarns.set_curves(model.geotextiles);
 }
 void Simulation::set_plane_velocity(std::size_t plane, const Vec3& v) { impl_->planes.all[plane].velocity = v; }

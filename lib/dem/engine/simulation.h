@@ -81,7 +81,9 @@ class Simulation {
   Energies energies() const;
   /// Returns the length of the next step, s.
   double time_step() const;
-  /// Returns the stability limit from the present stiffness, s.
+  /// Returns the share of the stable step that dashpots leave (step_bound.h), 1 without any.
+  double dashpot_share() const;
+  /// Returns the stability limit from the present stiffness and the dashpots, s.
   double stability_limit();
   /// Returns the time since the start, s.
   double time() const;

@@ -30,7 +30,10 @@ double Servo::stress_rate(int axis, const AxisGoal& goal, const Simulation& simu
   }
   const double stiffness = std::max(m.axial_stiffness[axis], loosest_stiffness * std::abs(goal.value));
   if (!(stiffness > 0)) return 0;
-  const double omega = rule_.share_of_frequency * frequency_times_step / dt;
+  // Contacts with dashpots follow a strain rate more slowly, by this share, and so must the servo. Its square is
+  // needed, because the step is shorter by the same share.
+  const double dashpots = simulation.dashpot_share();
+  const double omega = dashpots * dashpots * rule_.share_of_frequency * frequency_times_step / dt;
   rate_[axis] += omega * omega * error * dt / stiffness;
   rate_[axis] = std::clamp(rate_[axis], -goal.max_rate, goal.max_rate);
   return rate_[axis] + 2 * servo_damping * omega * error / stiffness;

@@ -96,6 +96,10 @@ class LawSweep final : public ContactSweep {
     for (const auto& mixed : material_pairs_.of_first(materials)) {
       const Response<double> r = of_equal_grains(mixed, radius, overlap);
       largest.normal = std::max(largest.normal, r.normal_stiffness);
+      // At this speed a critical dashpot bears twice what the spring bears.
+      const double speed = overlap * std::sqrt(2 * r.normal_stiffness), twice = 2 * r.normal_stiffness * overlap;
+      const double of_dashpot = of_equal_grains(mixed, radius, overlap, speed).normal_force - r.normal_force;
+      if (twice > 0) largest.damping_ratio = std::max(largest.damping_ratio, of_dashpot / twice);
       largest.rotational =
           std::max({largest.rotational, r.rolling_stiffness, dimension == 3 ? r.twisting_stiffness : 0});
     }
@@ -109,11 +113,13 @@ class LawSweep final : public ContactSweep {
   std::span<const HistoryField> own_history() const override { return history_fields<Law>(); }
 
  private:
-  // Returns the response of two equal grains at rest that meet for the first time.
-  static Response<double> of_equal_grains(const typename Law::MaterialPair& mixed, double radius, double overlap) {
+  // Returns the response of two equal grains of 1 kg that meet for the first time, at rest or approaching, m/s.
+  static Response<double> of_equal_grains(const typename Law::MaterialPair& mixed, double radius, double overlap,
+                                          double speed = 0) {
     Kinematics<double> k{};
     k.normal = {1, 0, 0};
     k.overlap = overlap, k.r1 = k.r2 = radius, k.R_star = radius / 2, k.per_reach = 0.5 / radius, k.m1 = k.m2 = 1;
+    k.approach_speed = speed;
     HistoryOf<Law, double> history{};
     ContactEnergies<double> energies;
     return Law::respond(mixed, k, 0.0, history, energies);

@@ -75,10 +75,12 @@ class AroundChunk {
   virtual void after(std::size_t chunk) = 0;
 };
 
-/// Stiffness of one contact.
+/// Stiffness and damping of one contact.
 struct PairStiffness {
   /// Normal stiffness, N/m; larger one of the rolling and twisting stiffnesses, N m/rad.
   double normal = 0, rotational = 0;
+  /// Normal dashpot over that which damps the two grains critically, 1.
+  double damping_ratio = 0;
 };
 
 /// A sweep for one law and one width of the register. Each simulation needs its own, since it keeps buffers.
@@ -97,7 +99,7 @@ class ContactSweep {
   virtual Vec3 stiffen(const Scene& scene, Contacts& contacts) = 0;
   /// Returns the energies stored in all contacts now.
   virtual StoredEnergies stored(const Scene& scene, Contacts& contacts) = 0;
-  /// Returns the largest stiffness between equal grains at a radius and an overlap, m (step_bound.h).
+  /// Returns the largest stiffness and damping between equal grains at a radius and an overlap, m (step_bound.h).
   /// One of the grains has a material index below `materials`, the other any material.
   virtual PairStiffness stiffness(double radius, double overlap, std::int32_t materials, int dimension) const = 0;
   /// Returns the normal force between equal grains of the first material at a radius and an overlap, m.

@@ -25,6 +25,10 @@ struct StepBound {
   double translation;
   /// Rolling and twisting: sqrt(2 I/k_r), for equal grains that rotate against each other.
   double rotation;
+  /// Share of these bounds, and of those of present contacts, that dashpots leave: sqrt(1 + xi^2) - xi, 1 without any.
+  /// Source: Belytschko et al. 2014, chapter 6, for damping forces that lag by half a step. xi = sqrt(2) beta where
+  /// each axis has two contacts of damping ratio beta, one on either side of a grain.
+  double dashpots;
 };
 
 /// Returns the bound from the smallest values and the stiffest contact of any materials.
