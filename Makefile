@@ -135,6 +135,8 @@ SWEPT := lib/dem/sweep/contact_sweep.cpp lib/dem/sweep/grain_motion.cpp lib/dem/
 SINGLE := $(ROUNDED) $(SWEPT) $(LISTING) lib/core/linear_algebra.cpp lib/core/processor.cpp lib/dem/sweep/vector_width.cpp lib/fem/model/ranks.cpp \
   lib/display/paraview.cpp
 JOINED := $(if $(NO_PCH)$(COVERAGE),,$(filter-out $(SINGLE),$(LIB)))
+# Sources that extensions compile again are one unit too, without the sweep.
+LISTED := $(if $(JOINED),$(filter-out $(SWEPT),$(filter lib/%,$(LISTING))) lib/dem/sweep/vector_width.cpp)
 # A folder is written with a point for a slash here.
 COLD_UNITS := store+files+files.exchange+display core.cli+core.text gws.design+gws.laboratory+gws.output$(if $(SANITIZE),+gws.identification) \
   dem.run+analysis.doubts+analysis.tables fem.mesh+fem.run+calibration.output $(if $(SANITIZE),,calibration)
@@ -142,17 +144,21 @@ WARM_UNITS := $(if $(SANITIZE),dem.contact+dem.engine+dem.loading+dem.state+dem.
   analysis.measure fem.material+fem.model)
 folder_of = $(subst /,.,$(patsubst lib/%/,%,$(dir $(1))))
 folders_of = $(subst +, ,$(1))
-UNITS := $(if $(JOINED),rounded $(COLD_UNITS) $(WARM_UNITS) $(filter-out $(call folders_of,$(COLD_UNITS) $(WARM_UNITS)),$(sort $(call folder_of,$(JOINED)))))
-sources_of = $(if $(filter rounded,$(1)),$(ROUNDED),$(foreach f,$(JOINED),$(if $(filter $(call folder_of,$f),$(call folders_of,$(1))),$f)))
+UNITS := $(if $(JOINED),rounded listed $(COLD_UNITS) $(WARM_UNITS) $(filter-out $(call folders_of,$(COLD_UNITS) $(WARM_UNITS)),$(sort $(call folder_of,$(JOINED)))))
+sources_of = $(if $(filter rounded,$(1)),$(ROUNDED),$(if $(filter listed,$(1)),$(LISTED),$(foreach f,$(JOINED),$(if $(filter $(call folder_of,$f),$(call folders_of,$(1))),$f))))
 unit_of = $(foreach u,$(UNITS),$(if $(filter $(call folder_of,$(1)),$(call folders_of,$u)),$u))
 UNIT_OBJECTS := $(UNITS:%=$(B)/obj/units/%.o)
-tens_of = $(patsubst %,$(B)/obj/tests/$(1)/tests_%.o,$(shell seq 1 10 $(words $(call tests_of,$(1)))))
+# Places of every tenth test. Each call of make reads this, and a shell would take longer.
+DIGITS := 0 1 2 3 4 5 6 7 8 9
+TENTHS := $(foreach hundreds,$(DIGITS),$(DIGITS:%=$(hundreds)%1))
+tens_of = $(foreach n,$(TENTHS),$(if $(word $n,$(call tests_of,$(1))),$(B)/obj/tests/$(1)/tests_$n.o))
 JOINED_TESTS := $(if $(NO_PCH)$(COVERAGE),,benchmarks $(if $(SANITIZE),unit))
 TENS := $(foreach t,$(JOINED_TESTS),$(call tens_of,$(t)))
 # The unit that needs CGAL takes longest and begins first, so that no core waits for it.
-LIB_OBJECTS := $(UNIT_OBJECTS) $(call object,$(filter-out $(JOINED) $(if $(JOINED),$(ROUNDED)),$(LIB)))
+LIB_OBJECTS := $(UNIT_OBJECTS) $(call object,$(filter-out $(JOINED) $(LISTED) $(if $(JOINED),$(ROUNDED)),$(LIB)))
 # The objects that hold these sources, joined or not.
-objects_of = $(sort $(foreach s,$(1),$(if $(filter $s,$(JOINED)),$(B)/obj/units/$(call unit_of,$s).o,$(call object,$s))))
+objects_of = $(sort $(foreach s,$(1),$(if $(filter $s,$(LISTED)),$(B)/obj/units/listed.o,$(if $(filter $s,$(JOINED)),$(B)/obj/units/$(call unit_of,$s).o,\
+  $(call object,$s)))))
 # plot is a Python program that imports the package of the studies. It is a link, through which it finds the package.
 TOOLS := $(patsubst tools/%.cpp,$(B)/bin/%,$(TOOL)) $(B)/bin/plot
 # Test programs of every check; soak takes minutes.
@@ -251,7 +257,8 @@ $(HOT) $(EIGHT) $(EIGHT_EXTENDED): private CXXFLAGS += $(if $(CLANG)$(if $(X86),
 # would otherwise be a symbol that no tool can make local.
 $(EIGHT) $(EIGHT_EXTENDED): private CXXFLAGS += -Wno-uninitialized $(if $(CLANG),,-fno-gnu-unique)
 AVX512 := -mavx512f -mavx512dq -mavx512vl -mavx512bw -mprefer-vector-width=512
-$(if $(EIGHT),$(call object,lib/dem/sweep/vector_width.cpp): private CPPFLAGS += -DSOILWEAVE_AVX512)
+CHOOSING := $(call objects_of,lib/dem/sweep/vector_width.cpp)
+$(if $(EIGHT),$(CHOOSING): private CPPFLAGS += -DSOILWEAVE_AVX512)
 define eight_lanes
 	@mkdir -p $(@D)
 	@echo '  c++   $< (AVX-512$(1))'
@@ -270,8 +277,9 @@ $(LOWERED): $(B)/obj/%.eight.o: %.cpp $(B)/flags
 # Files that are embedded in objects (core/embedded.h).
 $(call objects_of,lib/display/show_script.cpp): lib/display/show.py
 $(call objects_of,lib/packing/generate/grading.cpp): data/gradings/toyoura.tsv
-$(call object,$(LISTING)) $(EIGHT) $(LOWERED): private CPPFLAGS += -I$(B)
-$(call object,$(LISTING)) $(EIGHT) $(LOWERED): | $(LISTS:%=$(B)/lists/%.h)
+READING_LISTS := $(call objects_of,$(LISTING)) $(EIGHT) $(LOWERED)
+$(READING_LISTS): private CPPFLAGS += -I$(B)
+$(READING_LISTS): | $(LISTS:%=$(B)/lists/%.h)
 # The check of the processor must run on any x86-64.
 $(B)/obj/lib/core/processor.o: lib/core/processor.cpp lib/core/processor.h $(B)/flags
 	@mkdir -p $(@D)
@@ -324,7 +332,8 @@ $(B)/mpi/fem-dem: $(call object,tools/fem-dem.cpp $(MPI_ONLY)) $(B)/libsoilweave
 # With NARROW=1 their sweep takes four contacts at a time on every processor, which saves the compilation for AVX-512, and optimisation is
 # low. Checks use it, since the bits are equal.
 EXTENSIONS ?= tests/extension
-EXTENDED := $(patsubst %.cpp,$(X)/obj/%.o,$(filter lib/%,$(LISTING)) $(if $(EIGHT_EXTENDED),,lib/dem/sweep/vector_width.cpp)) $(EIGHT_EXTENDED)
+EXTENDED := $(patsubst $(B)/%,$(X)/%,$(call objects_of,$(filter lib/%,$(LISTING)) lib/dem/sweep/vector_width.cpp)) $(EIGHT_EXTENDED)
+$(if $(EIGHT_EXTENDED),$(CHOOSING:$(B)/%=$(X)/%): private CPPFLAGS += -DSOILWEAVE_AVX512)
 OUTSIDE = $(wildcard $(LISTS:%=$(EXTENSIONS)/%/*.h))
 MISPLACED = $(filter-out $(OUTSIDE),$(wildcard $(EXTENSIONS)/*.h $(EXTENSIONS)/*/*.h))
 $(LISTS:%=$(X)/lists/%.h): $(X)/lists/%.h: always
@@ -337,10 +346,15 @@ COLD_EXTENDED := $(if $(NARROW),$(if $(COLD_LEVEL),$(EXTENDED)))
 $(COLD_EXTENDED): $(B)/precompiled/cold.h.gch
 $(COLD_EXTENDED): private PRECOMPILED := $(B)/precompiled/cold.h
 $(COLD_EXTENDED): private CXXFLAGS += $(COLD_LEVEL)
-$(X)/obj/%.o: %.cpp $(B)/flags $(if $(NO_PCH),,$(PRECOMPILED).gch) | $(LISTS:%=$(X)/lists/%.h)
+define compile_extended
 	@mkdir -p $(@D)
-	@echo '  c++   $< (extended)'
-	@$(call compile,-I$(X) $(CPPFLAGS) $(if $(NO_PCH),,-include $(PRECOMPILED)) $(CXXFLAGS) -MMD -MP -c $< -o $@)
+	@echo '  c++   $(<:$(B)/obj/%=%) (extended)'
+	@$(call compile,-iquote . -I$(X) $(CPPFLAGS) $(if $(NO_PCH),,-include $(PRECOMPILED)) $(CXXFLAGS) -MMD -MP -c $< -o $@)
+endef
+$(X)/obj/units/%.o: $(B)/obj/units/%.cpp $(B)/flags $(if $(NO_PCH),,$(PRECOMPILED).gch) | $(LISTS:%=$(X)/lists/%.h)
+	$(compile_extended)
+$(X)/obj/%.o: %.cpp $(B)/flags $(if $(NO_PCH),,$(PRECOMPILED).gch) | $(LISTS:%=$(X)/lists/%.h)
+	$(compile_extended)
 $(EIGHT_EXTENDED): private CPPFLAGS += -I$(X)
 $(EIGHT_EXTENDED): $(X)/obj/%.avx512.o: %.cpp $(B)/flags | $(LISTS:%=$(X)/lists/%.h)
 	$(call eight_lanes,$(comma) extended)

@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "display/paraview.h"
 
-#include <regex>
+#include <algorithm>
+#include <cctype>
+#include <string_view>
 #include <system_error>
 
 #include "core/error.h"
@@ -16,16 +18,29 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Returns whether an earlier call wrote this file; all others are the user's.
-bool ours(const std::string& name) {
-  static const std::regex pattern(R"(\w+_\d{6}\.vt[pu]|\w+\.(pvd|csv)|show\.py)");
-  return std::regex_match(name, pattern);
+bool all_of(std::string_view text, bool (*is)(unsigned char)) {
+  return !text.empty() && std::all_of(text.begin(), text.end(), is);
+}
+bool in_word(unsigned char c) { return std::isalnum(c) != 0 || c == '_'; }
+bool is_digit(unsigned char c) { return std::isdigit(c) != 0; }
+
+/// Returns whether an earlier call wrote this file: GROUP_NUMBER.vtp or .vtu with six digits, NAME.pvd, NAME.csv or
+/// show.py. All others are the user's.
+bool ours(const fs::path& file) {
+  constexpr std::size_t digits = 6;
+  const std::string name = file.filename().string(), stem = file.stem().string(), kind = file.extension().string();
+  if (name == "show.py") return true;
+  if (kind == ".pvd" || kind == ".csv") return all_of(stem, in_word);
+  if (kind != ".vtp" && kind != ".vtu") return false;
+  if (stem.size() < digits + 2 || !all_of(stem, in_word)) return false;
+  const std::string_view number = std::string_view(stem).substr(stem.size() - digits);
+  return all_of(number, is_digit) && stem[stem.size() - digits - 1] == '_';
 }
 
 void remove_former(const fs::path& folder) {
   std::vector<fs::path> former;
   for (const auto& entry : fs::directory_iterator(folder))
-    if (entry.is_regular_file() && ours(entry.path().filename().string())) former.push_back(entry.path());
+    if (entry.is_regular_file() && ours(entry.path())) former.push_back(entry.path());
   for (const fs::path& file : former) fs::remove(file);
 }
 

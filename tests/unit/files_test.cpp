@@ -173,7 +173,7 @@ TEST_F(Files, EveryTruncationIsTold) {
 
 /// After bit flips a file reads as it was, or the damage is reported. It never crashes and never gives other numbers.
 TEST_F(Files, DamagedBytesNeverGiveOtherStates) {
-  const RunFile run = test::example_run(200);
+  const RunFile run = test::example_run(60);
   write_run(path, run, test::example_history());
   const std::string whole = test::bytes_of(path);
   std::uint64_t random = 1;
