@@ -23,9 +23,11 @@ PREFIX ?= /usr/local
 DESTDIR ?=
 JOBS ?= $(shell nproc)
 # Clang compiles the sanitizers' tree if it is installed. It takes three fifths of GCC's time for it, and a check sees two compilers.
+CHOSEN := $(filter-out default,$(origin CXX))$(SANITIZE)$(FUZZ)
 CXX := $(if $(FUZZ),clang++,$(if $(filter default,$(origin CXX)),$(if $(SANITIZE),$(if $(shell command -v clang++),clang++,g++),g++),$(CXX)))
-# Every call of make starts one shell for the compiler's name, its processor and this one.
-COMPILER := $(shell $(CXX) --version 2>/dev/null; echo target=$$($(CXX) -dumpmachine 2>/dev/null) here=$$(uname -m))
+# A compiler that was chosen is asked for its name and processor. Debian's own has that of make, and no call of make waits for it.
+HERE := $(firstword $(subst -, ,$(MAKE_HOST)))
+COMPILER := $(if $(CHOSEN),$(shell $(CXX) --version 2>/dev/null; echo target=$$($(CXX) -dumpmachine 2>/dev/null)),target=$(HERE)) here=$(HERE)
 CLANG := $(findstring clang,$(COMPILER))
 VARIANT := $(if $(SANITIZE),sanitize,$(if $(COVERAGE),coverage,$(if $(FUZZ),fuzz,$(if $(PORTABLE),portable,$(if $(NO_PCH),plain)))))
 MACHINE := $(firstword $(subst -, ,$(patsubst target=%,%,$(filter target=%,$(COMPILER)))))
@@ -401,8 +403,8 @@ programs: $(TOOLS) $(TEST_PROGRAMS)
 # ---- Dependencies ---------------------------------------------------------------------------------------------------
 # The first list compiles the library, so that a check compiles it while the packages of the second are unpacked.
 DEBIAN_COMPILE := g++ make pkg-config libeigen3-dev libcgal-dev libhdf5-dev libcli11-dev libtomlplusplus-dev libfmt-dev libboost-math-dev \
-  libgsl-dev libssl-dev clang libomp-dev
-DEBIAN := $(DEBIAN_COMPILE) libgtest-dev libbenchmark-dev libvtk9-dev python3-vtk9 python3-h5py \
+  libgsl-dev libssl-dev
+DEBIAN := $(DEBIAN_COMPILE) clang libomp-dev libgtest-dev libbenchmark-dev libvtk9-dev python3-vtk9 python3-h5py \
   python3-numpy python3-matplotlib python3-jinja2 python3-pytest python3-yaml hdf5-tools bats parallel clang-format clang-tidy shellcheck gcovr man-db groff-base locales
 
 # $(call lacking,PACKAGES) prints those that are not installed, and $(call install,PACKAGES) installs them.
